@@ -1,0 +1,3 @@
+//! The rules of tool-radius compensation, executed exactly.
+
+pub mod number;

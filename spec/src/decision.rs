@@ -1,0 +1,51 @@
+//! The named decisions: every branch of the rules that geometry takes.
+
+use crate::clause::{self, Clause};
+
+macro_rules! decisions {
+    ($($name:ident = $id:literal, $clause:ident, $margin:literal;)*) => {
+        /// A branch of the rules. Its margin is signed, in millimetres; the variant's text says what it measures.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum DecisionKind {
+            $(#[doc = concat!("`", $id, "`: ", $margin, ".")] $name,)*
+        }
+
+        impl DecisionKind {
+            /// Every kind of decision.
+            pub const ALL: &[DecisionKind] = &[$(DecisionKind::$name),*];
+
+            /// The name used in reports.
+            pub const fn id(self) -> &'static str {
+                match self { $(DecisionKind::$name => $id,)* }
+            }
+
+            /// The clause whose sentence it decides.
+            pub const fn clause(self) -> Clause {
+                match self { $(DecisionKind::$name => clause::$clause,)* }
+            }
+
+            /// What the margin measures.
+            pub const fn margin(self) -> &'static str {
+                match self { $(DecisionKind::$name => $margin,)* }
+            }
+        }
+    };
+}
+
+decisions! {
+    Moves = "moves", TRC_LOOK_01, "length of the programmed move; zero is no movement";
+    CentreDistance = "centre-distance", TRC_ARC_02, "distance of start or end from the arc's centre; zero is an alarm";
+    ChordFits = "chord-fits", TRC_ARC_06, "programmed radius less half the chord; negative is an alarm";
+    EndOnArc = "end-on-arc", TRC_ARC_03, "tolerance less the difference of the two radii; negative is an alarm";
+    ToolFitsArc = "tool-fits-arc", TRC_ARC_05, "arc radius less tool radius, tool inside; zero and negative are an alarm";
+    CentresApart = "centres-apart", TRC_CORNER_05, "distance of the centres of two arcs; zero is no intersection";
+    Turn = "turn", TRC_CORNER_01, "sine of the turn toward the tool's side times the shorter arm; positive is an inner corner";
+    RightAngle = "right-angle", TRC_CORNER_08, "cosine of the turn times the shorter arm; negative is an acute corner";
+    OffsetsMeet = "offsets-meet", TRC_CORNER_05, "by how much the two offset curves overlap; negative is an alarm";
+    ContactExists = "contact-exists", TRC_SIDE_02, "by how much the offset curves of a side change overlap; negative is no contact";
+    ContactWithin = "contact-within", TRC_SIDE_02, "tool radius less the distance of the contact point from the offset element; negative is no contact";
+    NearerContact = "nearer-contact", TRC_SIDE_02, "distance from the corner of the second contact point less that of the first; zero is no contact";
+    LineForward = "line-forward", TRC_WEDGE_02, "tool travel along the programmed direction; negative runs backwards";
+    ArcForward = "arc-forward", TRC_WEDGE_03, "margin of the sweep comparison; negative runs backwards";
+    NearCorner = "near-corner", TRC_WEDGE_01, "the limit less the distance of the vector's end from the corner; negative is advised";
+}
