@@ -1,2 +1,2 @@
-//! impl
+//! Tool-radius compensation in f64.
 #![no_std]

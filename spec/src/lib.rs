@@ -9,7 +9,7 @@
 
 pub mod block;
 #[cfg(feature = "std")]
-//CAT pub mod catalogue;
+pub mod catalogue;
 pub mod clause;
 pub mod decision;
 pub mod outcome;

@@ -142,10 +142,13 @@ impl Interval {
         if by.low < 0.0 {
             return Interval { low: f64::NEG_INFINITY, high: f64::INFINITY };
         }
-        // The divisor is positive: each end of the quotient takes the divisor's end that carries it farther out.
-        let low = if self.low >= 0.0 { self.low / by.high } else { self.low / by.low };
-        let high = if self.high <= 0.0 { self.high / by.high } else { self.high / by.low };
-        let quotient = widened(known(low, f64::NEG_INFINITY), known(high, f64::INFINITY));
+        // The divisor is positive: each end of the quotient takes the divisor's end that carries it farther out. No
+        // NaN can arise: a numerator 0 meets only `by.high`, which is positive, and `by.low` is never infinite. The
+        // sign of a zero `by.low` decides between the infinities, so it must be plus.
+        let least = by.low.abs();
+        let low = if self.low >= 0.0 { self.low / by.high } else { self.low / least };
+        let high = if self.high <= 0.0 { self.high / by.high } else { self.high / least };
+        let quotient = widened(low, high);
         if self.low >= 0.0 {
             quotient.at_least_zero()
         } else if self.high <= 0.0 {
@@ -175,18 +178,11 @@ fn times(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
 }
 
-/// A quotient of two ends, or the end that knows nothing where the ends leave it undefined (∞/∞).
-fn known(quotient: f64, otherwise: f64) -> f64 {
-    if quotient.is_nan() { otherwise } else { quotient }
-}
-
-/// The exponent e with 2^e ≤ value < 2^(e+1) of a normal number; for a subnormal, bounds on the right side of both uses
-/// cannot be had from one exponent, so -1074 for the floor is sharpened nowhere and the ceiling's `+ 1` is added to the
-/// number's true exponent.
+/// The exponent e with 2^e ≤ `value` < 2^(e+1); for zero, that of the least subnormal, which serves as a ceiling.
 fn exponent(value: f64) -> i64 {
     let bits = value.to_bits() & !(1 << 63);
     match (bits >> 52) as i64 {
-        // A subnormal is `bits`·2⁻¹⁰⁷⁴; zero counts as the least one, which is right for a ceiling.
+        // A subnormal is `bits`·2⁻¹⁰⁷⁴.
         0 => i64::from(bits.max(1).ilog2()) - 1074,
         biased => biased - 1023,
     }
@@ -203,13 +199,14 @@ fn scaled_up(mantissa: &Integer, bits: i64) -> f64 {
     times_power_of_two(fraction, i64::from(exponent).saturating_sub(bits))
 }
 
-/// An upper bound of `value`·2^`exponent` for 2⁻¹ ≤ |value| ≤ 1, exact where the product is a normal number.
+/// An upper bound of `value`·2^`exponent` for ¼ ≤ |value| ≤ 1, exact where the product is a normal number.
 fn times_power_of_two(value: f64, exponent: i64) -> f64 {
     if exponent > 1024 {
         return if value > 0.0 { f64::INFINITY } else { -f64::MAX };
     }
     if exponent < -1020 {
-        return if value > 0.0 { f64::MIN_POSITIVE } else { 0.0 };
+        // At most 2⁻¹⁰²¹, and maybe subnormal: not worth a closer bound.
+        return if value > 0.0 { 2.0 * f64::MIN_POSITIVE } else { 0.0 };
     }
     // Two exact steps: a power beyond the range of f64 on its own is not beyond it in halves.
     let half = exponent / 2;
