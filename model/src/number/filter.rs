@@ -35,7 +35,11 @@ impl Interval {
             && d <= EXACT_INTEGER
         {
             let quotient = n as f64 / d as f64;
-            return if d == 1 || n == 0 { Interval { low: quotient, high: quotient } } else { widened(quotient, quotient) };
+            return if d == 1 || n == 0 {
+                Interval { low: quotient, high: quotient }
+            } else {
+                widened(quotient, quotient)
+            };
         }
         if numerator.significant_bits() > SAFE_BITS || denominator.significant_bits() > SAFE_BITS {
             // GMP truncates this conversion toward zero, so one step away from zero covers it.

@@ -35,6 +35,7 @@ impl Real {
                 pending.pop();
                 continue;
             }
+            let bits = real.generous(bits);
             let demand = real.demand(bits);
             let waiting = pending.len();
             if let Demand::Operands(operands) = &demand {
@@ -54,11 +55,22 @@ impl Real {
         self.0.filter.get().is_zero() || self.0.approximation.borrow().as_ref().is_some_and(|known| known.bits >= bits)
     }
 
+    /// The precision to compute when `bits` are asked for: if fewer are at hand, then a quarter more of them at least. A
+    /// number that many nodes share, each asking for a little more than the last, is so not computed anew for each.
+    fn generous(&self, bits: i64) -> i64 {
+        match &*self.0.approximation.borrow() {
+            Some(known) => bits.max(known.bits.saturating_add(i64::from(known.mantissa.significant_bits()) / 4)),
+            None => bits,
+        }
+    }
+
     /// The approximation at hand, shortened to `bits`. Where none is at hand the number is zero: callers make sure.
     fn recall(&self, bits: i64) -> Integer {
         match &*self.0.approximation.borrow() {
             // If bits are dropped the known error is at most half of the new unit, as is that of the rounding.
-            Some(known) if !self.0.filter.get().is_zero() => shift_rounded(&known.mantissa, bits.saturating_sub(known.bits)),
+            Some(known) if !self.0.filter.get().is_zero() => {
+                shift_rounded(&known.mantissa, bits.saturating_sub(known.bits))
+            }
             _ => Integer::new(),
         }
     }
@@ -96,7 +108,8 @@ impl Real {
             Shape::Quotient(a, b, _) => {
                 let floor = self.divisor_floor();
                 let numerator = bits.saturating_sub(floor).saturating_add(3);
-                let denominator = bits.saturating_add(a.ceiling()).saturating_sub(floor.saturating_mul(2)).saturating_add(4);
+                let denominator =
+                    bits.saturating_add(a.ceiling()).saturating_sub(floor.saturating_mul(2)).saturating_add(4);
                 both(a, numerator, b, denominator.max(1_i64.saturating_sub(floor)))
             }
             Shape::Root(a) => one(a, root_bits(a, bits)),

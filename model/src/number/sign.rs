@@ -47,10 +47,10 @@ impl Real {
         let mut step = FIRST_REFINEMENT;
         let mut bits = start;
         while bits < enough {
-            step = step.saturating_mul(2);
+            // What the first refinement has not decided is most often zero: few steps, and the last goes to the end.
+            step = step.saturating_mul(4);
             bits = bits.saturating_add(step);
-            // The last step may as well go to the end if that is near.
-            if bits.saturating_add(step) >= enough {
+            if bits.saturating_add(step.saturating_mul(4)) >= enough {
                 bits = enough;
             }
             self.approximate(bits);
@@ -82,7 +82,7 @@ impl Real {
         // One of the two has proved that the number is not zero.
         from_filter.or_else(from_approximation).unwrap_or_else(|| {
             // Not reached; should it be, the separation bound is right as well.
-            -i64::try_from(self.separation_bits()).unwrap_or(i64::MAX)
+            self.separation_bits().saturating_neg()
         })
     }
 }

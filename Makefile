@@ -1,0 +1,43 @@
+# radcomp: what a person or CI does with this repository. `make` alone lists the targets.
+
+CARGO ?= cargo
+# The control profiles that `make certify` runs the built-in device against.
+PROFILES ?= seed-mill mori-lathe yasnac-lx
+LEVEL ?= 1
+TARGET_DIR := $(or $(CARGO_TARGET_DIR),target)
+# CI never rewrites Cargo.lock.
+LOCKED := $(if $(CI),--locked)
+
+.DEFAULT_GOAL := help
+.PHONY: help setup build test certify bench lint doc
+
+help: ## List the targets
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
+
+setup: ## Install the system packages that the build needs, if any is missing
+	@scripts/setup
+
+build: setup ## Build the command and every library, optimised
+	$(CARGO) build $(LOCKED) --workspace --release
+
+test: lint doc ## Everything CI checks: format, lints, documentation, dependencies, every test
+	scripts/check
+	scripts/test $(LOCKED)
+
+certify: setup ## Certify the built-in device against each profile (PROFILES=…, LEVEL=…)
+	$(CARGO) build $(LOCKED) --release --bin radcomp
+	@set -e; for profile in $(PROFILES); do \
+		echo "$(TARGET_DIR)/release/radcomp certify builtin --profile $$profile --level $(LEVEL)"; \
+		"$(TARGET_DIR)/release/radcomp" certify builtin --profile $$profile --level $(LEVEL); \
+	done
+
+bench: setup ## Print the table of speed and size, each figure beside its reference
+	$(CARGO) bench $(LOCKED) --bench speed
+
+lint: ## Check the format and deny every lint
+	@scripts/setup --lint
+	$(CARGO) fmt --all --check
+	$(CARGO) clippy $(LOCKED) --workspace --all-targets -- -D warnings
+
+doc: setup ## Build the documentation, without warnings
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc $(LOCKED) --workspace --no-deps

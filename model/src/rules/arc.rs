@@ -1,0 +1,99 @@
+//! The form of arcs: `spec/clauses/09-arc.md`.
+
+use core::cmp::Ordering;
+
+use radcomp_spec::parameters::Parameters;
+use radcomp_spec::{AlarmKind, Centre, DecisionKind, Direction, Side};
+use rug::Rational;
+
+use super::mode;
+use crate::decision::Judgement;
+use crate::element::{Element, Shape, tool_inside};
+use crate::geometry::{Vector, smaller};
+use crate::number::Real;
+
+/// The arc that a block programs, or the alarm of its form.
+pub(crate) fn programmed(
+    start: &Vector,
+    end: &[Rational; 2],
+    centre: &Centre<Rational>,
+    sense: Direction,
+    parameters: &Parameters,
+    judgement: &mut Judgement<'_>,
+) -> Result<Element, AlarmKind> {
+    let end = Vector::rational(end);
+    let chord = end.minus(start);
+    let (centre, start_radius, end_radius) = match centre {
+        Centre::Radius(radius) => {
+            let radius = Real::from(radius);
+            let centre = centre_from_radius(start, &chord, &radius, sense, judgement)?;
+            (centre, radius.abs(), radius.abs())
+        }
+        Centre::FromStart(vector) => {
+            let centre = start.plus(&Vector::rational(vector));
+            let (to_start, to_end) = (start.minus(&centre), end.minus(&centre));
+            let (at_start, at_end) = (to_start.length_squared(), to_end.length_squared());
+            let start_radius = at_start.sqrt_or_zero();
+            let end_radius = if at_start == at_end { start_radius.clone() } else { at_end.sqrt_or_zero() };
+            (centre, start_radius, end_radius)
+        }
+    };
+    // [TRC-ARC-02]
+    let nearer = smaller(start_radius.clone(), end_radius.clone());
+    if judgement.decide(DecisionKind::CentreDistance, &nearer, nearer.clone()) != Ordering::Greater {
+        return Err(AlarmKind::CentreAtEnd);
+    }
+    // [TRC-ARC-03]
+    let spare = mode::ratio(parameters.arc_end_tolerance) - (&start_radius - &end_radius).abs();
+    if judgement.decide(DecisionKind::EndOnArc, &spare, spare.clone()) == Ordering::Less {
+        return Err(AlarmKind::EndOffArc);
+    }
+    // [TRC-ARC-07]
+    let full = chord.is_zero();
+    Ok(Element { start: start.clone(), end, shape: Shape::Arc { centre, sense, start_radius, end_radius, full } })
+}
+
+/// [TRC-ARC-01] `m + s·√(R² - q²/4)·perp(w)`, and [TRC-ARC-06].
+fn centre_from_radius(
+    start: &Vector,
+    chord: &Vector,
+    radius: &Real,
+    sense: Direction,
+    judgement: &mut Judgement<'_>,
+) -> Result<Vector, AlarmKind> {
+    let half = Real::one().checked_div(&Real::integer(2)).unwrap_or_else(Real::zero);
+    let chord_squared = chord.length_squared();
+    let length = chord_squared.sqrt_or_zero();
+    if judgement.decide(DecisionKind::Moves, &chord_squared, length.clone()) != Ordering::Greater {
+        return Err(AlarmKind::NoSuchArc);
+    }
+    let height_squared = radius.square() - &chord_squared * &half.square();
+    let margin = radius.abs() - &length * &half;
+    if judgement.decide(DecisionKind::ChordFits, &height_squared, margin) == Ordering::Less {
+        return Err(AlarmKind::NoSuchArc);
+    }
+    // √(R² - q²/4) / q, so that the chord need not be made a unit vector.
+    let height =
+        height_squared.checked_div(&chord_squared).map_or_else(Real::zero, |ratio| ratio.sqrt_or_zero());
+    let left = (radius.sign() != Ordering::Less) == (sense == Direction::Counterclockwise);
+    let height = if left { height } else { -height };
+    Ok(start.along(chord, &half).along(&chord.perp(), &height))
+}
+
+/// [TRC-ARC-05]
+pub(crate) fn tool_fits(
+    element: &Element,
+    side: Side,
+    radius: &Real,
+    judgement: &mut Judgement<'_>,
+) -> Result<(), AlarmKind> {
+    let Shape::Arc { sense, start_radius, end_radius, .. } = &element.shape else { return Ok(()) };
+    if !tool_inside(*sense, side) {
+        return Ok(());
+    }
+    let spare = smaller(start_radius.clone(), end_radius.clone()) - radius;
+    match judgement.decide(DecisionKind::ToolFitsArc, &spare, spare.clone()) {
+        Ordering::Greater => Ok(()),
+        _ => Err(AlarmKind::RadiusTooSmall),
+    }
+}

@@ -1,0 +1,164 @@
+//! Inner corners: [TRC-CORNER-03], [TRC-CORNER-04], [TRC-CORNER-05].
+
+use core::cmp::Ordering;
+
+use radcomp_spec::clause;
+use radcomp_spec::{AlarmKind, DecisionKind, Direction, Side};
+
+use super::corner::mitre;
+use super::junction::{Junction, Refused};
+use crate::decision::Judgement;
+use crate::element::{Arm, Circle};
+use crate::geometry::{Vector, signed, smaller};
+use crate::number::Real;
+
+/// The vector of an inner corner.
+pub(crate) fn inner(
+    before: &Arm,
+    after: &Arm,
+    side: Side,
+    radius: &Real,
+    judgement: &mut Judgement<'_>,
+) -> Result<Junction, Refused> {
+    let (clause, vector) = match (&before.circle, &after.circle) {
+        (None, None) => {
+            (clause::TRC_CORNER_03, mitre(before, after, side, radius).ok_or(Refused::Contradiction)?)
+        }
+        (None, Some(circle)) => {
+            let crossing = LineCircle::new(before, side, circle, side, radius);
+            crossing.must_meet(judgement)?;
+            // [TRC-CORNER-04] F + σ·δ·√(R'² - h²)·u1
+            let forward = sense_sign(circle.sense) == side_sign(side);
+            (clause::TRC_CORNER_04, crossing.point(forward))
+        }
+        (Some(circle), None) => {
+            let crossing = LineCircle::new(after, side, circle, side, radius);
+            crossing.must_meet(judgement)?;
+            // [TRC-CORNER-04] F - σ·δ·√(R'² - h²)·u2
+            let forward = sense_sign(circle.sense) != side_sign(side);
+            (clause::TRC_CORNER_04, crossing.point(forward))
+        }
+        (Some(first), Some(second)) => {
+            let crossing = CircleCircle::new(first, side, second, side, radius);
+            crossing.must_meet(judgement)?;
+            // [TRC-CORNER-04] C1 + a·e + σ·δ1·δ2·√(R1'² - a²)·perp(e)
+            let left = sense_sign(first.sense) * sense_sign(second.sense) * side_sign(side) > 0;
+            (clause::TRC_CORNER_04, crossing.point(left).ok_or(Refused::Contradiction)?)
+        }
+    };
+    Ok(Junction::single(clause, vector, false))
+}
+
+fn side_sign(side: Side) -> i8 {
+    match side {
+        Side::Left => 1,
+        Side::Right => -1,
+    }
+}
+
+fn sense_sign(sense: Direction) -> i8 {
+    match sense {
+        Direction::Counterclockwise => 1,
+        Direction::Clockwise => -1,
+    }
+}
+
+/// The common points of an offset line and an offset circle.
+pub(crate) struct LineCircle {
+    foot: Vector,
+    unit: Vector,
+    /// `R'² - h²`.
+    discriminant: Real,
+    /// `R' - |h|`.
+    overlap: Real,
+}
+
+impl LineCircle {
+    pub(crate) fn new(line: &Arm, line_side: Side, circle: &Circle, circle_side: Side, radius: &Real) -> Self {
+        let unit = line.unit();
+        // The distance of the centre from the offset line, positive to the left of it.
+        let distance = unit.cross(&circle.centre.minus(&line.point)) - signed(line_side, radius);
+        let offset_radius = circle.offset_radius(circle_side, radius);
+        LineCircle {
+            foot: circle.centre.along(&unit.perp(), &-&distance),
+            discriminant: offset_radius.square() - distance.square(),
+            overlap: &offset_radius - &distance.abs(),
+            unit,
+        }
+    }
+
+    /// [TRC-CORNER-05] Curves that touch meet.
+    fn must_meet(&self, judgement: &mut Judgement<'_>) -> Result<(), Refused> {
+        match self.meet(DecisionKind::OffsetsMeet, judgement) {
+            Ordering::Less => Err(Refused::Alarm(AlarmKind::NoIntersection)),
+            _ => Ok(()),
+        }
+    }
+
+    pub(crate) fn meet(&self, kind: DecisionKind, judgement: &mut Judgement<'_>) -> Ordering {
+        judgement.decide(kind, &self.discriminant, self.overlap.clone())
+    }
+
+    /// The point before the foot of the perpendicular, or the one after it.
+    pub(crate) fn point(&self, forward: bool) -> Vector {
+        let half_chord = self.discriminant.sqrt_or_zero();
+        let along = if forward { half_chord } else { -half_chord };
+        self.foot.along(&self.unit, &along)
+    }
+}
+
+/// The common points of two offset circles.
+pub(crate) struct CircleCircle {
+    first_centre: Vector,
+    /// From the first centre to the second.
+    axis: Vector,
+    distance_squared: Real,
+    first_squared: Real,
+    second_squared: Real,
+    /// `min(R1' + R2' - D, D - |R1' - R2'|)`.
+    overlap: Real,
+}
+
+impl CircleCircle {
+    pub(crate) fn new(first: &Circle, first_side: Side, second: &Circle, second_side: Side, radius: &Real) -> Self {
+        let (r1, r2) = (first.offset_radius(first_side, radius), second.offset_radius(second_side, radius));
+        let axis = second.centre.minus(&first.centre);
+        let distance = axis.length();
+        CircleCircle {
+            first_centre: first.centre.clone(),
+            distance_squared: axis.length_squared(),
+            first_squared: r1.square(),
+            second_squared: r2.square(),
+            overlap: smaller(&(&r1 + &r2) - &distance, &distance - &(&r1 - &r2).abs()),
+            axis,
+        }
+    }
+
+    /// [TRC-CORNER-05]
+    fn must_meet(&self, judgement: &mut Judgement<'_>) -> Result<(), Refused> {
+        match self.meet(DecisionKind::OffsetsMeet, judgement) {
+            Ordering::Less => Err(Refused::Alarm(AlarmKind::NoIntersection)),
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether the circles meet; concentric circles do not.
+    pub(crate) fn meet(&self, kind: DecisionKind, judgement: &mut Judgement<'_>) -> Ordering {
+        let apart = judgement.decide(DecisionKind::CentresApart, &self.distance_squared, self.axis.length());
+        if apart != Ordering::Greater {
+            return Ordering::Less;
+        }
+        judgement.decide(kind, &self.overlap, self.overlap.clone())
+    }
+
+    /// The point left of the axis from the first centre to the second, or the one right of it. None when the centres
+    /// are one point.
+    pub(crate) fn point(&self, left: bool) -> Option<Vector> {
+        // a / D, and the distance from the axis / D.
+        let sum = &self.first_squared - &self.second_squared + &self.distance_squared;
+        let along = sum.checked_div(&(&self.distance_squared * &Real::integer(2)))?;
+        let off = (self.first_squared.checked_div(&self.distance_squared)? - along.square()).sqrt_or_zero();
+        let off = if left { off } else { -off };
+        Some(self.first_centre.along(&self.axis, &along).along(&self.axis.perp(), &off))
+    }
+}

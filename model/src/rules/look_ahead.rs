@@ -1,0 +1,54 @@
+//! Look-ahead: `spec/clauses/07-look-ahead.md`.
+
+use core::cmp::Ordering;
+
+use radcomp_spec::{AdvisoryKind, Side};
+
+use super::junction::{Junction, line_to};
+use crate::decision::Judgement;
+use crate::element::{Element, Shape};
+use crate::geometry::Vector;
+use crate::number::Real;
+use radcomp_spec::clause;
+
+/// A junction that was settled without the element after it.
+#[derive(Clone, Debug)]
+pub(crate) enum Settled {
+    /// Look-ahead was lost: the tool stands on this unit normal ([TRC-LOOK-03]).
+    Lost { normal: Vector },
+    /// A dummy block stood for the next element, with this unit direction ([TRC-DUMMY-02]).
+    Dummy { direction: Vector },
+}
+
+/// Where the element after a settled junction starts: a line where the tool stands ([TRC-LOOK-04]), an arc on its own
+/// normal, to which the tool moves straight ([TRC-LOOK-05]).
+pub(crate) fn resume(tool: &Vector, next: &Element, side: Side, radius: &Real) -> Junction {
+    match next.shape {
+        Shape::Line { .. } => Junction::single(clause::TRC_LOOK_04, tool.clone(), false),
+        Shape::Arc { .. } => {
+            let normal = next.first_arm().normal(side, radius);
+            let moves = if normal == *tool { Vec::new() } else { vec![line_to(&normal)] };
+            Junction {
+                clause: clause::TRC_LOOK_05,
+                first: tool.clone(),
+                first_is_normal: false,
+                moves,
+                last_is_normal: true,
+            }
+        }
+    }
+}
+
+/// The warnings of [TRC-LOOK-06] and [TRC-DUMMY-03]: r·(1 - cosine) between what the tool stands on and what the next
+/// block would have asked for.
+pub(crate) fn advise(settled: &Settled, next: &Element, side: Side, radius: &Real, judgement: &mut Judgement<'_>) {
+    let unit = next.first_arm().unit();
+    let (kind, cosine) = match settled {
+        Settled::Lost { normal } => (AdvisoryKind::LostLookAhead, normal.dot(&unit.toward(side))),
+        Settled::Dummy { direction } => (AdvisoryKind::DummyMismatch, direction.dot(&unit)),
+    };
+    let amount = radius * &(Real::one() - cosine);
+    if amount.sign() != Ordering::Equal {
+        judgement.advise(kind, amount);
+    }
+}

@@ -1,0 +1,13 @@
+//! The rules, one file to a chapter of the specification.
+
+pub(crate) mod arc;
+pub(crate) mod cancel;
+pub(crate) mod corner;
+pub(crate) mod dummy;
+pub(crate) mod inner;
+pub(crate) mod junction;
+pub(crate) mod look_ahead;
+pub(crate) mod mode;
+pub(crate) mod side_change;
+pub(crate) mod start_up;
+pub(crate) mod wedge;

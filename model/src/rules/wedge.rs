@@ -1,0 +1,84 @@
+//! Tool paths that run backwards: `spec/clauses/10-wedge.md`. The far intersection of [TRC-WEDGE-01] stands with the
+//! inner corners, which make it.
+
+use core::cmp::Ordering;
+
+use radcomp_spec::parameters::{Parameters, ReversedPath};
+use radcomp_spec::{AdvisoryKind, AlarmKind, DecisionKind};
+
+use crate::decision::Judgement;
+use crate::element::{Element, Shape};
+use crate::geometry::{Vector, smaller};
+use crate::number::Real;
+use crate::sweep::{Sweep, differ_by_more_than_half_turn};
+
+/// Looks at one compensated block when the centre's positions at its start and end are settled.
+pub(crate) fn forward(
+    element: &Element,
+    start: &Vector,
+    end: &Vector,
+    whole_circle: bool,
+    parameters: &Parameters,
+    judgement: &mut Judgement<'_>,
+) -> Result<(), AlarmKind> {
+    let (advisory, alarm, amount) = match &element.shape {
+        Shape::Line { direction, length } => {
+            // [TRC-WEDGE-02]
+            let travel = end.minus(start).dot(direction);
+            let margin = travel.checked_div(length).unwrap_or_else(Real::zero);
+            if judgement.decide(DecisionKind::LineForward, &travel, margin.clone()) != Ordering::Less {
+                return Ok(());
+            }
+            (AdvisoryKind::ReversedLine, AlarmKind::ReversedLine, margin.abs())
+        }
+        Shape::Arc { .. } if whole_circle => return Ok(()),
+        Shape::Arc { .. } => {
+            // [TRC-WEDGE-03]
+            let (exact, margin) = arc_margin(element, start, end);
+            if judgement.settle(DecisionKind::ArcForward, exact, margin) != Ordering::Less {
+                return Ok(());
+            }
+            (AdvisoryKind::ReversedArc, AlarmKind::ReversedArc, end.minus(start).length())
+        }
+    };
+    match parameters.reversed_path {
+        ReversedPath::Alarm => Err(alarm),
+        ReversedPath::Advisory => {
+            judgement.advise(advisory, amount);
+            Ok(())
+        }
+    }
+}
+
+/// The exact answer for an arc, and how far its nearer boundary lies: where the tool's start and end are one point, or
+/// where the two sweeps differ by exactly a half turn.
+fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Ordering, Real) {
+    let Shape::Arc { centre, sense, full, .. } = &element.shape else {
+        return (Ordering::Greater, Real::zero());
+    };
+    let (from, to) = (start.minus(centre), end.minus(centre));
+    let tool = Sweep::between(&from, &to, *sense);
+    let programmed = Sweep::between(&element.start.minus(centre), &element.end.minus(centre), *sense);
+    let backwards = differ_by_more_than_half_turn(&tool, &programmed, *full);
+
+    let reach = from.length();
+    let g = &programmed.relative;
+    let difference = Vector::new(tool.relative.dot(g), g.cross(&tool.relative)).opposite();
+    let margin = smaller(off_axis(&tool.relative, &reach), off_axis(&difference, &reach));
+    if margin.is_zero() {
+        (if backwards { Ordering::Less } else { Ordering::Equal }, margin)
+    } else if backwards {
+        (Ordering::Less, -margin)
+    } else {
+        (Ordering::Greater, margin)
+    }
+}
+
+/// The distance of a direction from the positive first axis at radius `reach`; at most `reach`.
+fn off_axis(direction: &Vector, reach: &Real) -> Real {
+    if direction.a.sign() != Ordering::Greater {
+        return reach.clone();
+    }
+    let sine = direction.b.abs().checked_div(&direction.length()).unwrap_or_else(Real::zero);
+    &sine * reach
+}
