@@ -36,7 +36,7 @@ bench: setup ## Print the table of speed and size, each figure beside its refere
 
 lint: ## Check the format and deny every lint
 	@scripts/setup --lint
-	$(CARGO) fmt --all --check
+	@color=never; if [ -t 1 ]; then color=auto; fi; set -x; $(CARGO) fmt --all --check -- --color $$color
 	$(CARGO) clippy $(LOCKED) --workspace --all-targets -- -D warnings
 
 doc: setup ## Build the documentation, without warnings

@@ -1,7 +1,9 @@
 //! The radcomp toolkit: programs in, verdicts out.
 
+pub mod certify;
+pub mod device;
 pub mod gcode;
-pub mod judge;
 pub mod generate;
+pub mod judge;
 pub mod minimise;
-pub mod report;
+pub mod vectors;

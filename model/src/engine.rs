@@ -302,7 +302,13 @@ impl Engine {
             }
             return Ok(());
         }
-        self.emit(number, block.rapid, clause::TRC_LOOK_01, false, Segment::Hold, judgement);
+        let clause = match (&block.movement, &self.settled) {
+            _ if self.mode != Mode::Offset => clause::TRC_LOOK_01,
+            (Movement::Dummy { .. }, _) => clause::TRC_DUMMY_02,
+            (_, Some(Settled::Lost { .. })) => clause::TRC_LOOK_03,
+            _ => clause::TRC_LOOK_01,
+        };
+        self.emit(number, block.rapid, clause, false, Segment::Hold, judgement);
         Ok(())
     }
 

@@ -1,8 +1,8 @@
 //! The text of the clauses, taken from `spec/clauses/*.md` as the crate is built.
 //!
 //! A chapter file starts with its title and an introduction. Each clause is a heading `## [TRC-…] Title`, a line
-//! `Source: …`, and its normative paragraphs; worked examples follow them as fenced blocks with the info string
-//! `toml example`.
+//! `Source: …`, and its normative paragraphs; worked examples follow them, each a caption paragraph and a fenced block
+//! with the info string `toml example`.
 
 use std::sync::LazyLock;
 
@@ -50,6 +50,8 @@ pub struct ClauseText {
 /// A worked example of a clause.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Example {
+    /// What it shows.
+    pub caption: &'static str,
     /// The text within the fences: TOML.
     pub text: &'static str,
     /// The line in the chapter's file where that text starts, from 1.
@@ -147,7 +149,11 @@ fn parse_clause(section: &'static str, line: u32, chapter: usize) -> Result<Clau
     let clause = clause.ok_or_else(|| (line, format!("there is no clause {id} in `clause.rs`")))?;
     let (source, body) = rest.split_once('\n').ok_or(fault("the clause has no text"))?;
     let source = source.strip_prefix("Source: ").ok_or(fault("the heading is not followed by `Source: …`"))?;
-    let end = body.find(EXAMPLE).unwrap_or(body.len());
+    let end = match body.find(EXAMPLE) {
+        // The paragraph before the first fence is its caption.
+        Some(fence) => body[..fence].trim_end().rfind("\n\n").ok_or(fault("an example has no caption"))?,
+        None => body.len(),
+    };
     Ok(ClauseText {
         clause,
         title: title.trim(),
@@ -166,13 +172,14 @@ fn examples(text: &'static str, line: u32) -> Result<Vec<Example>, (u32, String)
     while let Some(found) = text[offset..].find(EXAMPLE) {
         let fence = offset + found;
         let place = line + lines_in(&text[..fence]);
-        if !text[offset..fence].trim().is_empty() {
-            return Err((place, "only worked examples may follow a worked example".to_owned()));
+        let caption = text[offset..fence].trim();
+        if caption.is_empty() || caption.contains("\n\n") {
+            return Err((place, "a worked example has one paragraph before it, its caption".to_owned()));
         }
         let (_, after) = text[fence..].split_once('\n').ok_or((place, "the example has no end".to_owned()))?;
         let start = text.len() - after.len();
         let end = after.find("\n```").ok_or((place, "the example has no end".to_owned()))?;
-        examples.push(Example { text: &after[..=end], line: place + 1 });
+        examples.push(Example { caption, text: &after[..=end], line: place + 1 });
         offset = start + end + "\n```".len();
     }
     match text[offset..].trim() {
@@ -234,12 +241,15 @@ mod tests {
     #[test]
     fn examples_are_found_with_their_lines() {
         let text = "# One\n\nWords.\n\n## [TRC-PLANE-01] T\nSource: K, S:x p.1\n\nNormative.\n\nMore.\n\n\
-                    ```toml example\na = 1\n## b\n```\n\n```toml example\nc = 2\n```\n";
+                    One:\n\n```toml example\na = 1\n## b\n```\n\nTwo:\n\n```toml example\nc = 2\n```\n";
         let catalogue = Catalogue::parse(&[("x.md", text)]).unwrap();
         let [clause] = &catalogue.clauses[..] else { panic!("one clause") };
         assert_eq!(clause.text, "Normative.\n\nMore.");
         assert_eq!(clause.sources, ["K", "S:x p.1"]);
-        let examples = [Example { text: "a = 1\n## b\n", line: 13 }, Example { text: "c = 2\n", line: 18 }];
+        let examples = [
+            Example { caption: "One:", text: "a = 1\n## b\n", line: 15 },
+            Example { caption: "Two:", text: "c = 2\n", line: 22 },
+        ];
         assert_eq!(clause.examples, examples);
         assert_eq!((catalogue.chapters[0].introduction, clause.line), ("Words.", 5));
     }
@@ -247,8 +257,11 @@ mod tests {
     #[test]
     fn faults_of_a_chapter_name_their_line() {
         let fault = |text| Catalogue::parse(&[("x.md", text)]).unwrap_err();
-        assert_eq!(fault("# One\n\n## [TRC-NONE-01] T\nSource: K\n\nText.\n"), "x.md:3: there is no clause TRC-NONE-01 in `clause.rs`");
-        let late = "# One\n\n## [TRC-PLANE-01] T\nSource: K\n\nText.\n\n```toml example\na\n```\nLate.\n";
+        assert_eq!(
+            fault("# One\n\n## [TRC-NONE-01] T\nSource: K\n\nText.\n"),
+            "x.md:3: there is no clause TRC-NONE-01 in `clause.rs`"
+        );
+        let late = "# One\n\n## [TRC-PLANE-01] T\nSource: K\n\nText.\n\nOne:\n\n```toml example\na\n```\nLate.\n";
         assert!(fault(late).ends_with("only worked examples may follow a worked example"));
     }
 }

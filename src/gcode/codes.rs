@@ -1,5 +1,7 @@
 //! The G and M codes that are accepted, with what they mean or why they mean nothing for the geometry.
 
+use std::fmt;
+
 use radcomp_spec::parameters::Plane;
 use radcomp_spec::{Direction, OuterCorner};
 
@@ -15,7 +17,10 @@ pub(super) struct Code {
     /// What the reader does with it.
     pub(super) meaning: Meaning,
     /// What it says; of a code without a meaning here, why the geometry does not need it.
-    #[cfg_attr(not(test), expect(dead_code, reason = "the reason of each line of the table is for its readers and its test"))]
+    #[cfg_attr(
+        not(test),
+        expect(dead_code, reason = "the reason of each line of the table is for its readers and its test")
+    )]
     pub(super) reason: &'static str,
 }
 
@@ -136,6 +141,12 @@ pub(super) const CODES: &[Code] = &[
     m(96, Group::Corner,       Meaning::Corner(OuterCorner::Arc),          "outer corners by an arc"),
     m(97, Group::Corner,       Meaning::Corner(OuterCorner::Intersection), "outer corners by intersection"),
 ];
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{:02}", self.letter, self.number)
+    }
+}
 
 /// The code of this letter and number, if it is accepted.
 pub(super) fn find(letter: char, number: u32) -> Option<&'static Code> {

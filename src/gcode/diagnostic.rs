@@ -83,6 +83,8 @@ kinds! {
     UnclosedComment = Program, "comment without an end";
     /// A letter without its number.
     MissingNumber = Program, "number missing";
+    /// A dwell without its time.
+    MissingTime = Program, "dwell without a time";
     /// A number of a form that the word cannot have.
     WrongNumber = Program, "number of the wrong form";
     /// A number beyond the limit of digits.
@@ -155,8 +157,8 @@ impl LineFault {
 
     /// The same fault at that line of a file.
     pub(super) fn in_line(self, file: &str, line: u32, source_line: &str) -> Diagnostic {
-        let start = source_line.floor_char_boundary(self.span.start);
-        let end = source_line.ceil_char_boundary(self.span.end).max(start);
+        let start = boundary(source_line, self.span.start);
+        let end = boundary(source_line, self.span.end).max(start);
         Diagnostic {
             file: file.to_owned(),
             line,
@@ -172,13 +174,18 @@ impl LineFault {
 
     /// The same fault in the text of a whole file, the span being one of that text.
     pub(super) fn in_text(mut self, file: &str, text: &str) -> Diagnostic {
-        let start = text.floor_char_boundary(self.span.start);
+        let start = boundary(text, self.span.start);
         let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
         let source_line = text[line_start..].lines().next().unwrap_or_default();
         let line = count(text[..line_start].matches('\n').count()) + 1;
         self.span = start - line_start..self.span.end.saturating_sub(line_start).min(source_line.len());
         self.in_line(file, line, source_line)
     }
+}
+
+/// The start of the character that this byte belongs to, or the end of the text.
+fn boundary(text: &str, byte: usize) -> usize {
+    (0..=byte.min(text.len())).rev().find(|byte| text.is_char_boundary(*byte)).unwrap_or_default()
 }
 
 /// A count of characters or lines, which are far fewer than 2³² wherever they are held in memory.

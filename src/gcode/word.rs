@@ -146,10 +146,8 @@ fn unexpected(character: char, start: usize) -> LineFault {
     let span = start..start + character.len_utf8();
     let fault = |message: String| LineFault::new(Kind::UnexpectedCharacter, span.clone(), message);
     match character {
-        '#' | '[' | ']' | '<' | '>' | '=' | '*' => {
-            fault("variables and expressions are not supported".to_owned())
-                .helping("write the number itself, such as X12.5")
-        }
+        '#' | '[' | ']' | '<' | '>' | '=' | '*' => fault("variables and expressions are not supported".to_owned())
+            .helping("write the number itself, such as X12.5"),
         '%' => fault("a `%` stands alone in its line".to_owned()),
         '/' => fault("the `/` of block delete stands first in its line".to_owned()),
         ')' => fault("no comment is open here".to_owned()),

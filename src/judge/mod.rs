@@ -1,1 +1,17 @@
-//! To come.
+//! The judge: is a device's answer one that the rules admit?
+//!
+//! `E(x)` is the exact outcome of program x. A device works in floating point, so at a decision whose margin lies
+//! within the band β it may take either branch; elsewhere it may not; and no point may lie farther than δ from where
+//! the branch taken puts it. The judge runs the model, and where the answer differs, again with every combination of
+//! branches inside the band, up to a bound.
+
+mod budget;
+mod compare;
+mod fork;
+mod stroke;
+mod verdict;
+
+pub use budget::{Budget, Grade};
+pub use compare::{Difference, Divergence};
+pub use stroke::{Shape, Stroke};
+pub use verdict::{Judged, Verdict, judge};

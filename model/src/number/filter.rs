@@ -62,9 +62,17 @@ impl Interval {
 
     /// The interval of all numbers within 2^-`bits` of `mantissa`·2^-`bits`.
     pub(super) fn of_scaled(mantissa: &Integer, bits: i64) -> Interval {
-        let below = Integer::from(mantissa - 1);
-        let above = Integer::from(mantissa + 1);
-        Interval { low: -scaled_up(&-below, bits), high: scaled_up(&above, bits) }
+        let (low, high, exponent) = if mantissa.significant_bits() <= 53 {
+            let exact = mantissa.to_f64();
+            (exact - 1.0, exact + 1.0, bits.saturating_neg())
+        } else {
+            // GMP truncates to a fraction of 53 bits; neither that nor ±1 is more than one unit of its last place, and
+            // two steps are at least one unit toward zero and two away from it.
+            let (fraction, length) = mantissa.to_f64_exp();
+            let (low, high) = (fraction.next_down().next_down(), fraction.next_up().next_up());
+            (low, high, i64::from(length).saturating_sub(bits))
+        };
+        Interval { low: -scaled_up(-low, exponent), high: scaled_up(high, exponent) }
     }
 
     /// The common part of two intervals that both hold the number.
@@ -192,30 +200,20 @@ fn exponent(value: f64) -> i64 {
     }
 }
 
-/// An upper bound, at most two steps above, of `mantissa`·2^-`bits`.
-fn scaled_up(mantissa: &Integer, bits: i64) -> f64 {
-    // GMP truncates toward zero: the step up covers the truncation, the second one the rounding of a subnormal.
-    let (fraction, exponent) = mantissa.to_f64_exp();
-    if fraction == 0.0 {
-        return 0.0;
+/// An upper bound of `value`·2^`exponent`, for values that are zero or of a size between ¼ and 2⁵⁴; the product itself
+/// where it is far from the ends of the range of f64.
+fn scaled_up(value: f64, exponent: i64) -> f64 {
+    const LEAST: i64 = -900;
+    const GREATEST: i64 = 960;
+    if value > 0.0 && exponent > GREATEST {
+        f64::INFINITY
+    } else if value < 0.0 && exponent < LEAST {
+        0.0
+    } else {
+        // Exact. Held back, the exponent can but raise the product: positive ones are held at the lower end alone,
+        // negative ones at the upper.
+        value * power_of_two(exponent.clamp(LEAST, GREATEST))
     }
-    let fraction = if mantissa.significant_bits() <= 53 { fraction } else { fraction.next_up() };
-    times_power_of_two(fraction, i64::from(exponent).saturating_sub(bits))
-}
-
-/// An upper bound of `value`·2^`exponent` for ¼ ≤ |value| ≤ 1, exact where the product is a normal number.
-fn times_power_of_two(value: f64, exponent: i64) -> f64 {
-    if exponent > 1024 {
-        return if value > 0.0 { f64::INFINITY } else { -f64::MAX };
-    }
-    if exponent < -1020 {
-        // At most 2⁻¹⁰²¹, and maybe subnormal: not worth a closer bound.
-        return if value > 0.0 { 2.0 * f64::MIN_POSITIVE } else { 0.0 };
-    }
-    // Two exact steps: a power beyond the range of f64 on its own is not beyond it in halves.
-    let half = exponent / 2;
-    let product = value * power_of_two(half) * power_of_two(exponent - half);
-    if product.is_infinite() && product < 0.0 { -f64::MAX } else { product }
 }
 
 /// 2^`exponent` for an exponent of a normal number.

@@ -43,7 +43,7 @@ impl Real {
             return sign;
         }
         // |x| ≥ 2^-B unless x = 0. Approximated to B + 2 bits, |m| ≤ 1 means |x| ≤ 2^-(B+1), hence x = 0.
-        let enough = i64::try_from(self.separation_bits()).unwrap_or(i64::MAX).saturating_add(2);
+        let enough = self.separation_bits().saturating_add(2);
         let mut step = FIRST_REFINEMENT;
         let mut bits = start;
         while bits < enough {

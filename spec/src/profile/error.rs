@@ -76,17 +76,24 @@ pub enum ProfileErrorKind {
 impl ProfileError {
     pub(super) fn unreadable(file: &str, reason: &std::io::Error) -> Self {
         let kind = ProfileErrorKind::Unreadable(reason.to_string());
-        ProfileError { file: file.to_owned(), line: 1, column: 1, length: 1, source_line: String::new(), kind: Box::new(kind) }
+        ProfileError {
+            file: file.to_owned(),
+            line: 1,
+            column: 1,
+            length: 1,
+            source_line: String::new(),
+            kind: Box::new(kind),
+        }
     }
 
     /// An error at a byte range of the file's text.
     pub(super) fn at(file: &str, text: &str, span: Range<usize>, kind: ProfileErrorKind) -> Self {
-        let start = text.floor_char_boundary(span.start);
+        let start = boundary(text, span.start);
         let before = &text[..start];
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
         let source_line = text[line_start..].lines().next().unwrap_or_default();
         let line_end = line_start + source_line.len();
-        let end = text.floor_char_boundary(span.end).clamp(start, line_end.max(start));
+        let end = boundary(text, span.end).clamp(start, line_end.max(start));
         ProfileError {
             file: file.to_owned(),
             line: count(before.matches('\n').count()) + 1,
@@ -96,6 +103,11 @@ impl ProfileError {
             kind: Box::new(kind),
         }
     }
+}
+
+/// The start of the character that this byte belongs to, or the end of the text.
+fn boundary(text: &str, byte: usize) -> usize {
+    (0..=byte.min(text.len())).rev().find(|byte| text.is_char_boundary(*byte)).unwrap_or_default()
 }
 
 /// A count of characters or lines; a file of 2³² of them is not held in memory.

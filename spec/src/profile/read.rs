@@ -112,7 +112,10 @@ impl Source<'_> {
         let key = parameter.key;
         let Some(table) = given.get_ref().as_table() else {
             let clause = parameter.clause.id();
-            let allowed = format!("{{ value = …, source = \"D\", clause = {clause:?} }}, the value being {}", parameter.allowed());
+            let allowed = format!(
+                "{{ value = …, source = \"D\", clause = {clause:?} }}, the value being {}",
+                parameter.allowed()
+            );
             return Err(self.wrong(given.span(), key, &allowed));
         };
         self.known(table, key, &["value", "source", "clause"])?;
@@ -133,9 +136,12 @@ impl Source<'_> {
         let clause = self.text_of(table, "clause", &format!("{key}.clause"), &id, &given.span())?;
         if *clause.get_ref() != expected.id() {
             let found = shown(&self.text[clause.span()]);
-            return Err(self.error(clause.span(), ProfileErrorKind::WrongClause { key: key.to_owned(), found, expected }));
+            return Err(
+                self.error(clause.span(), ProfileErrorKind::WrongClause { key: key.to_owned(), found, expected })
+            );
         }
-        let entry = Provenance { parameter: key, value: written, source: source.into_inner().to_owned(), clause: expected };
+        let entry =
+            Provenance { parameter: key, value: written, source: source.into_inner().to_owned(), clause: expected };
         match profile.provenance.iter_mut().find(|entry| entry.parameter == key) {
             Some(inherited) => *inherited = entry,
             None => profile.provenance.push(entry),

@@ -1,6 +1,5 @@
 //! The one table of profile parameters: what a file may say, and where its value goes.
 
-
 use crate::clause::{self, Clause};
 use crate::parameters::{
     Activation, Cancel, CornerCodes, CornerOwner, Dummy, MOST_NON_MOVING, Measure, OuterCorner, Plane, Ratio, Reversal,

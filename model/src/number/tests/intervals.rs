@@ -91,10 +91,12 @@ proptest! {
         prop_assert!(holds(Interval::of_rational(&value), &value));
         let small = Rational::from((n >> 80, (d >> 90) + 1));
         prop_assert!(holds(Interval::of_rational(&small), &small));
-        let scaled = Interval::of_scaled(&rug::Integer::from(n), i64::from(e));
-        let unit = Rational::from(1) >> e;
-        prop_assert!(holds(scaled, &(Rational::from(n) * &unit + &unit)));
-        prop_assert!(holds(scaled, &(Rational::from(n) * &unit - &unit)));
+        for mantissa in [n, n >> 70, n >> 74, n >> 75, n >> 76, n >> 120, 1 << 53, (1 << 53) - 1, -1 << 60, 0] {
+            let scaled = Interval::of_scaled(&rug::Integer::from(mantissa), i64::from(e));
+            let unit = Rational::from(1) >> e;
+            prop_assert!(holds(scaled, &(Rational::from(mantissa) * &unit + &unit)));
+            prop_assert!(holds(scaled, &(Rational::from(mantissa) * &unit - &unit)));
+        }
     }
 }
 

@@ -27,7 +27,9 @@ proptest! {
         // Differences of squares: near to zero more often than sums are, and zero now and then.
         for value in [x.clone(), &x * &y - &y, (&x - &y) * (&x + &y) - x.square() + y.square()] {
             let bits = value.separation_bits();
-            prop_assume!(bits < 20_000);
+            if bits > 20_000 {
+                continue;
+            }
             let (low, high) = value.enclosure(bits as u32 + 64);
             let least = tiny(bits.max(0) as u32) - tiny(bits.max(0) as u32 + 60);
             let zero_inside = low <= 0 && high >= 0;

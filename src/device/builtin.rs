@@ -1,0 +1,73 @@
+//! The device `builtin`: radcomp-impl in this process.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use radcomp_model::number::nearest_f64;
+use radcomp_spec::{Block, Centre, Movement, Parameters, Step};
+use rug::Rational;
+
+use super::{Answer, Device, DeviceFault};
+
+/// radcomp-impl, driven in process.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Builtin;
+
+impl Device for Builtin {
+    fn name(&self) -> &str {
+        "builtin"
+    }
+
+    fn answer(&mut self, parameters: &Parameters, blocks: &[Block<Rational>]) -> Result<Answer, DeviceFault> {
+        // The state of the engine does not outlive the call, so a panic leaves nothing half done behind.
+        catch_unwind(AssertUnwindSafe(|| compensate(parameters, blocks)))
+            .map_err(|panic| DeviceFault::Crash(panic_text(panic.as_ref())))
+    }
+}
+
+fn compensate(parameters: &Parameters, blocks: &[Block<Rational>]) -> Answer {
+    let mut answer = Collect(Answer { steps: Vec::with_capacity(2 * blocks.len()), alarm: None });
+    let mut engine = radcomp_impl::Engine::new(parameters);
+    let result = blocks
+        .iter()
+        .try_for_each(|block| engine.push(&round(block), &mut answer))
+        .and_then(|()| engine.finish(&mut answer));
+    answer.0.alarm = result.err();
+    answer.0
+}
+
+struct Collect(Answer);
+
+impl radcomp_impl::Sink for Collect {
+    fn step(&mut self, step: Step<f64>) {
+        self.0.steps.push(step);
+    }
+}
+
+fn panic_text(panic: &(dyn std::any::Any + Send)) -> String {
+    let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "panic".to_owned())
+}
+
+/// The block with every number rounded to the nearest `f64`.
+pub fn round(block: &Block<Rational>) -> Block<f64> {
+    let point = |[a, b]: &[Rational; 2]| [nearest_f64(a), nearest_f64(b)];
+    Block {
+        movement: match &block.movement {
+            Movement::None => Movement::None,
+            Movement::Line { end } => Movement::Line { end: point(end) },
+            Movement::Dummy { vector } => Movement::Dummy { vector: point(vector) },
+            Movement::Arc { end, centre, direction } => Movement::Arc {
+                end: point(end),
+                centre: match centre {
+                    Centre::FromStart(vector) => Centre::FromStart(point(vector)),
+                    Centre::Radius(radius) => Centre::Radius(nearest_f64(radius)),
+                },
+                direction: *direction,
+            },
+        },
+        rapid: block.rapid,
+        compensation: block.compensation,
+        radius: block.radius.as_ref().map(nearest_f64),
+        corner: block.corner,
+    }
+}

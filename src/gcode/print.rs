@@ -1,0 +1,245 @@
+//! Programs written as G-code that reads back to the same blocks.
+
+mod error;
+mod line;
+
+use radcomp_spec::parameters::{Activation, CornerCodes, Measure, Plane};
+use radcomp_spec::profile::Profile;
+use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
+use rug::Rational;
+
+use super::axes::{AXES, CENTRES, axes_of, name_of};
+use super::{Program, Tools, offsets, read};
+use line::Words;
+
+pub use error::PrintError;
+
+/// A program written as G-code, with the tool table that it needs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Listing {
+    /// The G-code.
+    pub program: String,
+    /// The tool table.
+    pub tools: Tools,
+    /// The tool table as its file's text.
+    pub tool_table: String,
+}
+
+/// Writes a program, with its sequence numbers and its moves along the normal.
+///
+/// # Errors
+///
+/// When the blocks have no G-code under this profile.
+pub fn print(program: &Program, profile: &Profile) -> Result<Listing, PrintError> {
+    let lines = program.blocks.iter().map(|read| Source {
+        block: &read.block,
+        sequence: read.sequence.clone(),
+        normal: Some(&read.normal),
+    });
+    listing(lines.collect(), program.plane, profile)
+}
+
+/// Writes blocks as a program in the profile's plane, numbered N1, N2, … so that N is the block's index plus one.
+///
+/// The program reads back to the same blocks, apart from two liberties that change no outcome: a block without a straight
+/// move loses its `rapid`, and where compensation comes on before any radius is in force, the radius 0 that counts there
+/// ([TRC-MODE-03]) is written out.
+///
+/// # Errors
+///
+/// When the blocks have no G-code under this profile: a number with more decimals than the reader takes, a code that the
+/// profile does not have, a dummy block outside offset mode.
+pub fn print_blocks(blocks: &[Block<Rational>], profile: &Profile) -> Result<Listing, PrintError> {
+    let lines = blocks.iter().enumerate().map(|(index, block)| Source {
+        block,
+        sequence: Some((index + 1).to_string()),
+        normal: None,
+    });
+    listing(lines.collect(), profile.machine.plane, profile)
+}
+
+/// A block to write.
+struct Source<'b> {
+    block: &'b Block<Rational>,
+    sequence: Option<String>,
+    normal: Option<&'b Rational>,
+}
+
+fn listing(lines: Vec<Source<'_>>, plane: Plane, profile: &Profile) -> Result<Listing, PrintError> {
+    let mut printer = Printer { profile, plane, radii: Vec::new(), normal: Rational::new(), expected: Vec::new() };
+    let mut program = format!("%\n(profile {}, plane {})\n", profile.name, brief(plane));
+    for (index, source) in lines.iter().enumerate() {
+        let mut line = Words::of_block(index);
+        printer.block(source, &mut line)?;
+        program.push_str(line.text());
+        program.push('\n');
+    }
+    program.push_str("%\n");
+    let tools = printer.tools();
+    printer.check(&program, &tools)?;
+    // `offset` has made sure that the radii have decimals.
+    let tool_table = tools.to_toml().unwrap_or_default();
+    Ok(Listing { program, tools, tool_table })
+}
+
+/// A plane without parentheses, which would end a comment.
+fn brief(plane: Plane) -> &'static str {
+    &name_of(plane)[..3]
+}
+
+struct Printer<'p> {
+    profile: &'p Profile,
+    plane: Plane,
+    /// The radius of each offset number, from 1.
+    radii: Vec<Rational>,
+    /// The coordinate on the normal axis.
+    normal: Rational,
+    /// What the program has to read back as.
+    expected: Vec<Block<Rational>>,
+}
+
+impl Printer<'_> {
+    fn block(&mut self, source: &Source<'_>, line: &mut Words) -> Result<(), PrintError> {
+        let block = source.block;
+        if let Some(sequence) = &source.sequence {
+            line.word('N', sequence);
+        }
+        if self.expected.is_empty() && self.plane != self.profile.machine.plane {
+            line.code(brief(self.plane));
+        }
+        let mut expected = block.clone();
+        expected.rapid &= matches!(block.movement, Movement::Line { .. });
+        let unset = matches!(block.compensation, Some(Compensation::On(_))) && self.radii.is_empty();
+        if unset && block.radius.is_none() {
+            expected.radius = Some(Rational::new());
+        }
+        if let Some(compensation) = block.compensation {
+            line.code(self.compensation_code(compensation, line.block())?);
+        }
+        if let Some(corner) = block.corner {
+            line.code(self.corner_code(corner, line.block())?);
+        }
+        if let Some(radius) = &expected.radius {
+            self.offset(radius, line)?;
+        }
+        self.movement(block, source.normal, line)?;
+        if line.text().is_empty() {
+            line.code("G04 P0");
+        }
+        self.expected.push(expected);
+        Ok(())
+    }
+
+    fn compensation_code(&self, wanted: Compensation, block: usize) -> Result<&'static str, PrintError> {
+        let (activation, name) = match wanted {
+            Compensation::Off => (Activation::Cancel, "compensation off"),
+            Compensation::On(Side::Left) => (Activation::Left, "compensation left"),
+            Compensation::On(Side::Right) => (Activation::Right, "compensation right"),
+        };
+        let codes = ["G40", "G41", "G42", "G43", "G44"];
+        let mut known = codes.into_iter().zip(self.profile.activation);
+        let code = known.find(|(_, meaning)| *meaning == activation).map(|(code, _)| code);
+        code.ok_or(PrintError::NoCode { block, wanted: name })
+    }
+
+    fn corner_code(&self, wanted: OuterCorner, block: usize) -> Result<&'static str, PrintError> {
+        match (self.profile.machine.corner_codes, wanted) {
+            (CornerCodes::M96M97, OuterCorner::Arc) => Ok("M96"),
+            (CornerCodes::M96M97, OuterCorner::Intersection) => Ok("M97"),
+            (CornerCodes::None, _) => Err(PrintError::NoCode { block, wanted: "a choice of the outer corner" }),
+        }
+    }
+
+    /// The word that puts a radius in force.
+    fn offset(&mut self, radius: &Rational, line: &mut Words) -> Result<(), PrintError> {
+        // The table has to be able to hold it.
+        line.decimal(radius)?;
+        if radius.is_negative() {
+            return Err(PrintError::Number { block: line.block(), value: radius.clone() });
+        }
+        let index = self.radii.iter().position(|known| known == radius).unwrap_or_else(|| {
+            self.radii.push(radius.clone());
+            self.radii.len() - 1
+        });
+        let number = index + 1;
+        if offsets::t_selects_offset(self.profile) {
+            if number > 99 {
+                return Err(PrintError::TooManyRadii);
+            }
+            line.word('T', &format!("{number:02}{number:02}"));
+        } else {
+            line.word('D', &number.to_string());
+        }
+        Ok(())
+    }
+
+    fn movement(
+        &mut self,
+        block: &Block<Rational>,
+        normal: Option<&Rational>,
+        line: &mut Words,
+    ) -> Result<(), PrintError> {
+        let [a, b, normal_axis] = axes_of(self.plane);
+        let straight = if block.rapid { "G00" } else { "G01" };
+        let to_normal = normal.filter(|normal| **normal != self.normal).cloned();
+        match &block.movement {
+            Movement::None if to_normal.is_some() => line.code("G01"),
+            Movement::None => {}
+            Movement::Line { end } => {
+                line.code(straight);
+                self.point(AXES, end, line)?;
+            }
+            Movement::Arc { end, centre, direction } => {
+                line.code(if *direction == Direction::Clockwise { "G02" } else { "G03" });
+                self.point(AXES, end, line)?;
+                match centre {
+                    Centre::Radius(radius) => line.number('R', radius)?,
+                    Centre::FromStart([first, second]) => {
+                        line.number(CENTRES[a], first)?;
+                        line.number(CENTRES[b], second)?;
+                    }
+                }
+            }
+            Movement::Dummy { vector } => {
+                line.code("G01");
+                for (axis, component) in [a, b].into_iter().zip(vector) {
+                    let doubled = axis == 0 && self.profile.machine.dummy_first_axis == Measure::Diameter;
+                    line.number(CENTRES[axis], &if doubled { component.clone() * 2 } else { component.clone() })?;
+                }
+            }
+        }
+        if let Some(normal) = to_normal {
+            self.coordinate(AXES[normal_axis], &normal, line)?;
+            self.normal = normal;
+        }
+        Ok(())
+    }
+
+    fn point(&self, letters: [char; 3], point: &[Rational; 2], line: &mut Words) -> Result<(), PrintError> {
+        let [a, b, _] = axes_of(self.plane);
+        self.coordinate(letters[a], &point[0], line)?;
+        self.coordinate(letters[b], &point[1], line)
+    }
+
+    /// An axis word: X as the profile measures it.
+    fn coordinate(&self, letter: char, value: &Rational, line: &mut Words) -> Result<(), PrintError> {
+        let doubled = letter == 'X' && self.profile.machine.x_words == Measure::Diameter;
+        line.number(letter, &if doubled { value.clone() * 2 } else { value.clone() })
+    }
+
+    fn tools(&self) -> Tools {
+        let numbered = (1..).zip(&self.radii);
+        numbered.fold(Tools::empty(), |tools, (number, radius)| tools.with_radius(number, radius.clone()))
+    }
+
+    /// Reads the program back and compares.
+    fn check(&self, program: &str, tools: &Tools) -> Result<(), PrintError> {
+        let read = read("printed program", program.as_bytes(), self.profile, tools);
+        let read = read.map_err(|diagnostic| PrintError::Refused(Box::new(diagnostic)))?;
+        let same = read.blocks.iter().zip(&self.expected).take_while(|(read, expected)| read.block == **expected);
+        match same.count() {
+            count if count == self.expected.len() && count == read.blocks.len() => Ok(()),
+            block => Err(PrintError::Different { block }),
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! The movement of a block: straight moves, arcs, dummy blocks ([TRC-LOOK-01], [TRC-ARC-01], [TRC-DUMMY-01]).
+
+use std::ops::Range;
+
+use radcomp_spec::clause;
+use radcomp_spec::parameters::{Dummy, Measure};
+use radcomp_spec::{Block, Centre, Direction, Movement};
+use rug::Rational;
+
+use super::State;
+use crate::gcode::arrange::Command;
+use crate::gcode::axes::{AXES, CENTRES, axes_of, name_of};
+use crate::gcode::codes::Motion;
+use crate::gcode::diagnostic::{Kind, LineFault};
+use crate::gcode::word::Word;
+
+impl State<'_> {
+    /// Reads the axis, centre and radius words of a block into its movement.
+    pub(super) fn move_axes(&mut self, command: &Command<'_>, block: &mut Block<Rational>) -> Result<(), LineFault> {
+        for letter in ['P', 'U'] {
+            if let Some(word) = command.word(letter) {
+                return Err(word_of_dwell(word));
+            }
+        }
+        let (axes, centres, radius) = (command.words_of(AXES), command.words_of(CENTRES), command.word('R'));
+        let given = |words: [Option<&Word<'_>>; 3]| words.into_iter().flatten().next().map(|word| word.span.clone());
+        let (axis, centre) = (given(axes), given(centres));
+        let moves_axes = axis.is_some();
+        let Some(first) = axis.or_else(|| centre.clone()).or(radius.map(|word| word.span.clone())) else {
+            return Ok(());
+        };
+        let Some(motion) = self.motion else {
+            let message = "no G00, G01, G02 or G03 is in force: one has to come first or stand here";
+            return Err(LineFault::new(Kind::NoMotion, first, message));
+        };
+        let from = self.position.clone();
+        self.step(axes);
+        block.movement = match motion {
+            Motion::Arc(direction) => self.arc(direction, centres, radius, first)?,
+            Motion::Rapid | Motion::Feed => match (radius, centre, moves_axes) {
+                (Some(radius), ..) => return Err(word_of_arc(radius.span.clone())),
+                (None, Some(centre), true) => return Err(word_of_arc(centre)),
+                (None, Some(centre), false) => self.dummy(centres, centre)?,
+                (None, None, _) => self.line(axes),
+            },
+        };
+        block.rapid = motion == Motion::Rapid && matches!(block.movement, Movement::Line { .. });
+        self.moved |= moves_axes || matches!(block.movement, Movement::Arc { .. });
+        let [a, b, _] = axes_of(self.plane);
+        let moves = match block.movement {
+            Movement::None | Movement::Dummy { .. } => false,
+            Movement::Line { .. } => from[a] != self.position[a] || from[b] != self.position[b],
+            Movement::Arc { .. } => true,
+        };
+        self.started |= moves && self.side.is_some();
+        Ok(())
+    }
+
+    /// Moves the programmed point.
+    fn step(&mut self, axes: [Option<&Word<'_>>; 3]) {
+        for (axis, word) in axes.into_iter().enumerate() {
+            let Some(word) = word else { continue };
+            let mut value = self.length(word);
+            if word.letter == 'X' && self.profile.machine.x_words == Measure::Diameter {
+                value /= 2;
+            }
+            match self.incremental {
+                true => self.position[axis] += value,
+                false => self.position[axis] = value,
+            }
+        }
+    }
+
+    fn line(&self, axes: [Option<&Word<'_>>; 3]) -> Movement<Rational> {
+        let [a, b, _] = axes_of(self.plane);
+        match axes[a].is_some() || axes[b].is_some() {
+            true => Movement::Line { end: self.in_plane(&self.position) },
+            false => Movement::None,
+        }
+    }
+
+    fn arc(
+        &self,
+        direction: Direction,
+        centres: [Option<&Word<'_>>; 3],
+        radius: Option<&Word<'_>>,
+        first: Range<usize>,
+    ) -> Result<Movement<Rational>, LineFault> {
+        let [a, b, normal] = axes_of(self.plane);
+        if let Some(word) = centres[normal] {
+            let (plane, [i, j]) = (name_of(self.plane), [CENTRES[a], CENTRES[b]]);
+            let message = format!("the centre words of the plane {plane} are {i} and {j}");
+            let fault = LineFault::new(Kind::CentreOffPlane, word.span.clone(), message);
+            return Err(fault.citing(clause::TRC_PLANE_01));
+        }
+        let centre = match (radius, centres[a].is_some() || centres[b].is_some()) {
+            (Some(radius), true) => {
+                let message = "an arc has a centre or an R, not both";
+                return Err(arc_fault(Kind::CentreAndRadius, radius.span.clone(), message));
+            }
+            (None, false) => {
+                let message = format!("an arc needs {} and {}, or R", CENTRES[a], CENTRES[b]);
+                let help = "a straight move needs G01 or G00, as G02 and G03 stay in force";
+                return Err(arc_fault(Kind::NoCentre, first, message).helping(help));
+            }
+            (Some(radius), false) => Centre::Radius(self.length(radius)),
+            (None, true) => {
+                let offset = centres.map(|word| word.map(|word| self.length(word)).unwrap_or_default());
+                Centre::FromStart(self.in_plane(&offset))
+            }
+        };
+        Ok(Movement::Arc { end: self.in_plane(&self.position), centre, direction })
+    }
+
+    fn dummy(&self, centres: [Option<&Word<'_>>; 3], first: Range<usize>) -> Result<Movement<Rational>, LineFault> {
+        let fault =
+            |message: String| LineFault::new(Kind::DummyRefused, first.clone(), message).citing(clause::TRC_DUMMY_01);
+        let [a, b, _] = axes_of(self.plane);
+        if self.profile.machine.dummy == Dummy::None {
+            return Err(fault(format!(
+                "I, J and K alone are a dummy block, and profile {} has none",
+                self.profile.name
+            )));
+        }
+        if self.side.is_none() {
+            return Err(fault("I, J and K alone are a dummy block, which stands in offset mode only".to_owned()));
+        }
+        if !self.started {
+            return Err(fault("a dummy block comes after the start-up block".to_owned()));
+        }
+        let mut vector = centres.map(|word| word.map(|word| self.length(word)).unwrap_or_default());
+        if self.profile.machine.dummy_first_axis == Measure::Diameter {
+            vector[0] /= 2;
+        }
+        let vector = self.in_plane(&vector);
+        if vector.iter().all(|component| component.is_zero()) {
+            let [i, j] = [CENTRES[a], CENTRES[b]];
+            return Err(fault(format!("a dummy block needs {i} or {j} other than 0: it gives a direction")));
+        }
+        Ok(Movement::Dummy { vector })
+    }
+
+    /// The plane's coordinates of a point or a vector.
+    fn in_plane(&self, point: &[Rational; 3]) -> [Rational; 2] {
+        let [a, b, _] = axes_of(self.plane);
+        [point[a].clone(), point[b].clone()]
+    }
+
+    /// A length in millimetres.
+    fn length(&self, word: &Word<'_>) -> Rational {
+        match self.inches {
+            true => word.value() * Rational::from((254, 10)),
+            false => word.value(),
+        }
+    }
+}
+
+fn arc_fault(kind: Kind, span: Range<usize>, message: impl Into<String>) -> LineFault {
+    LineFault::new(kind, span, message).citing(clause::TRC_ARC_01)
+}
+
+/// I, J, K or R in a straight move.
+fn word_of_arc(span: Range<usize>) -> LineFault {
+    arc_fault(Kind::MisplacedWord, span, "a straight move has no centre and no radius; G02 or G03 makes it an arc")
+}
+
+/// P or U in a block that is not a dwell.
+fn word_of_dwell(word: &Word<'_>) -> LineFault {
+    match word.letter {
+        'U' => {
+            let message = "incremental axis words are not supported: G91 with X says the same";
+            LineFault::new(Kind::UnsupportedWord, word.span.clone(), message)
+        }
+        _ => LineFault::new(Kind::MisplacedWord, word.span.clone(), "P is the time of a dwell: G04"),
+    }
+}

@@ -1,0 +1,57 @@
+//! Tests of the reader and the printer. Behaviour is data, in `tests/gcode`.
+
+mod behaviour;
+mod properties;
+mod streaming;
+
+use radcomp_model::number::format_decimal;
+use radcomp_spec::{Centre, Compensation, Direction, Movement, OuterCorner, Side};
+use rug::Rational;
+
+use super::{ReadBlock, Tools};
+
+/// The tool table of the tests.
+fn tools() -> Tools {
+    let tool = |tools: Tools, number, numerator, denominator| {
+        tools.with_radius(number, Rational::from((numerator, denominator)))
+    };
+    tool(tool(tool(Tools::empty(), 1, 5, 1), 2, 4, 5), 12, 1, 2)
+}
+
+/// A block in one line: movement, then the codes, then the normal coordinate unless it is 0.
+fn describe(read: &ReadBlock) -> String {
+    let number = |value: &Rational| format_decimal(value).unwrap_or_else(|| value.to_string());
+    let pair = |point: &[Rational; 2]| format!("{} {}", number(&point[0]), number(&point[1]));
+    let mut text = match &read.block.movement {
+        Movement::None => "none".to_owned(),
+        Movement::Line { end } if read.block.rapid => format!("rapid {}", pair(end)),
+        Movement::Line { end } => format!("line {}", pair(end)),
+        Movement::Dummy { vector } => format!("dummy {}", pair(vector)),
+        Movement::Arc { end, centre, direction } => {
+            let sense = if *direction == Direction::Clockwise { "cw" } else { "ccw" };
+            let centre = match centre {
+                Centre::FromStart(centre) => format!("centre {}", pair(centre)),
+                Centre::Radius(radius) => format!("radius {}", number(radius)),
+            };
+            format!("{sense} {} {centre}", pair(end))
+        }
+    };
+    text += match read.block.compensation {
+        None => "",
+        Some(Compensation::Off) => ", off",
+        Some(Compensation::On(Side::Left)) => ", left",
+        Some(Compensation::On(Side::Right)) => ", right",
+    };
+    if let Some(radius) = &read.block.radius {
+        text += &format!(", tool radius {}", number(radius));
+    }
+    text += match read.block.corner {
+        None => "",
+        Some(OuterCorner::Arc) => ", corners by arc",
+        Some(OuterCorner::Intersection) => ", corners by intersection",
+    };
+    if !read.normal.is_zero() {
+        text += &format!(", normal {}", number(&read.normal));
+    }
+    text
+}

@@ -1,0 +1,73 @@
+//! Blocks without movement, dummy blocks, and the step of one least increment to either side.
+
+use radcomp_spec::{Block, Centre, Direction, Movement};
+use rug::Rational;
+
+use super::dice::Dice;
+use super::{Reach, thousandths};
+
+/// Puts blocks without movement and dummy blocks between the moves.
+pub(super) fn decorate(blocks: &mut Vec<Block<Rational>>, dice: &mut Dice, reach: Reach) {
+    let plain = std::mem::take(blocks);
+    let mut position = [Rational::new(), Rational::new()];
+    for block in plain {
+        if !blocks.is_empty() && dice.once_in(5) {
+            let allowed = i64::from(reach.non_moving_allowed);
+            // Most runs are at the limit or one past it.
+            let run = dice.pick(&[1, allowed, allowed, allowed + 1, allowed + 2]);
+            let dummy_at = (reach.dummies && dice.once_in(2)).then(|| dice.between(0, run));
+            for index in 0..run {
+                if dummy_at == Some(index) {
+                    blocks.push(dummy(&block, &position, dice));
+                }
+                blocks.push(still(&position, dice));
+            }
+        }
+        if let Movement::Line { end } | Movement::Arc { end, .. } = &block.movement {
+            position = end.clone();
+        }
+        blocks.push(block);
+    }
+}
+
+/// A block without movement, or a move of no length.
+fn still(position: &[Rational; 2], dice: &mut Dice) -> Block<Rational> {
+    if dice.once_in(6) { Block::moving(Movement::Line { end: position.clone() }) } else { Block::empty() }
+}
+
+/// The dummy that stands for the next block; now and then a wrong one.
+fn dummy(next: &Block<Rational>, position: &[Rational; 2], dice: &mut Dice) -> Block<Rational> {
+    let mut vector = match &next.movement {
+        Movement::Line { end } => [Rational::from(&end[0] - &position[0]), Rational::from(&end[1] - &position[1])],
+        Movement::Arc { centre: Centre::FromStart([a, b]), direction, .. } => match direction {
+            // [TRC-DUMMY-03]
+            Direction::Counterclockwise => [b.clone(), Rational::from(-a)],
+            Direction::Clockwise => [Rational::from(-b), a.clone()],
+        },
+        _ => [thousandths(1000), thousandths(0)],
+    };
+    if dice.once_in(8) {
+        vector = vector.map(|value| -value);
+    }
+    Block::moving(Movement::Dummy { vector })
+}
+
+/// Moves one number of one block by one least increment.
+pub(super) fn nudge(blocks: &mut [Block<Rational>], dice: &mut Dice, by: i64) {
+    let moving: Vec<usize> = (0..blocks.len())
+        .filter(|&index| !matches!(blocks[index].movement, Movement::None | Movement::Dummy { .. }))
+        .collect();
+    if moving.is_empty() {
+        return;
+    }
+    let block = &mut blocks[dice.pick(&moving)];
+    let axis = dice.below(2);
+    let of_centre = dice.once_in(3);
+    match &mut block.movement {
+        Movement::Line { end } => end[axis] += thousandths(by),
+        Movement::Arc { centre: Centre::FromStart(vector), .. } if of_centre => vector[axis] += thousandths(by),
+        Movement::Arc { centre: Centre::Radius(radius), .. } if of_centre => *radius += thousandths(by),
+        Movement::Arc { end, .. } => end[axis] += thousandths(by),
+        Movement::None | Movement::Dummy { .. } => {}
+    }
+}
