@@ -1,9 +1,12 @@
 //! The radcomp toolkit: programs in, verdicts out.
 
+pub mod canon;
 pub mod certify;
 pub mod device;
+pub mod explain;
 pub mod gcode;
 pub mod generate;
 pub mod judge;
 pub mod minimise;
+pub mod plot;
 pub mod vectors;

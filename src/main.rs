@@ -1,2 +1,7 @@
 //! The command `radcomp`.
-fn main() {}
+
+mod command;
+
+fn main() -> std::process::ExitCode {
+    command::main()
+}

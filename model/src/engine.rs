@@ -185,11 +185,7 @@ impl Engine {
     }
 
     /// The element that a block moves along, or nothing ([TRC-LOOK-01]).
-    fn programmed(
-        &self,
-        block: &Block<Rational>,
-        judgement: &mut Judgement<'_>,
-    ) -> Result<Option<Element>, AlarmKind> {
+    fn programmed(&self, block: &Block<Rational>, judgement: &mut Judgement<'_>) -> Result<Option<Element>, AlarmKind> {
         match &block.movement {
             Movement::None | Movement::Dummy { .. } => Ok(None),
             Movement::Line { end } => {
@@ -276,7 +272,7 @@ impl Engine {
             if let Some(settled) = self.settled.take() {
                 look_ahead::advise(&settled, &element, side, &self.radius, judgement);
             }
-            let resumed = look_ahead::resume(&self.tool, &element, side, &self.radius);
+            let resumed = look_ahead::resume(&self.tool, &element, side, &self.radius, judgement);
             self.corner_moves(&resumed, number, rapid, judgement);
             resumed.last_is_normal
         };
@@ -342,13 +338,10 @@ impl Engine {
         judgement: &mut Judgement<'_>,
     ) -> Result<Junction, Stop> {
         let Some(pending) = &self.pending else { return Err(Stop::Contradiction) };
-        let setting =
-            Setting { parameters: &self.parameters, radius: &self.radius, outer_corner: self.outer_corner };
+        let setting = Setting { parameters: &self.parameters, radius: &self.radius, outer_corner: self.outer_corner };
         let junction = match pending.kind {
             PendingKind::StartUp => Ok(start_up::junction(next, side, setting)),
-            PendingKind::Offset => {
-                junction::between(&pending.element, pending.side, next, side, setting, judgement)
-            }
+            PendingKind::Offset => junction::between(&pending.element, pending.side, next, side, setting, judgement),
         };
         match junction {
             Ok(junction) => Ok(junction),
@@ -397,14 +390,8 @@ impl Engine {
             && ending.is_normal;
         if pending.kind == PendingKind::Offset {
             let reading = core::mem::replace(&mut judgement.block, pending.block);
-            let looked_at = wedge::forward(
-                &pending.element,
-                &self.tool,
-                &ending.end,
-                whole_circle,
-                &self.parameters,
-                judgement,
-            );
+            let looked_at =
+                wedge::forward(&pending.element, &self.tool, &ending.end, whole_circle, &self.parameters, judgement);
             judgement.block = reading;
             if let Err(kind) = looked_at {
                 return Err(Stop::Alarm(Alarm { block: pending.block, kind }));

@@ -32,6 +32,13 @@ macro_rules! decisions {
     };
 }
 
+impl DecisionKind {
+    /// Whether the path or an alarm depends on it; the others only decide whether a warning is given.
+    pub const fn shapes_the_path(self) -> bool {
+        !matches!(self, DecisionKind::NearCorner | DecisionKind::LineInForward)
+    }
+}
+
 decisions! {
     Moves = "moves", TRC_LOOK_01, "length of the programmed move; zero is no movement";
     CentreDistance = "centre-distance", TRC_ARC_02, "distance of start or end from the arc's centre; zero is an alarm";
@@ -47,5 +54,6 @@ decisions! {
     NearerContact = "nearer-contact", TRC_SIDE_02, "distance from the corner of the second contact point less that of the first; zero is no contact";
     LineForward = "line-forward", TRC_WEDGE_02, "tool travel along the programmed direction; negative runs backwards";
     ArcForward = "arc-forward", TRC_WEDGE_03, "margin of the sweep comparison; negative runs backwards";
+    LineInForward = "line-in-forward", TRC_LOOK_05, "straight move along the tangent at an arc's start; negative is advised";
     NearCorner = "near-corner", TRC_WEDGE_01, "the limit less the distance of the vector's end from the corner; negative is advised";
 }

@@ -138,6 +138,8 @@ kinds! {
         ReversedArc = "reversed-arc", TRC_WEDGE_03, "the tool runs this arc backwards: the contour is narrower than the tool";
         /// [TRC-LOOK-06]
         LostLookAhead = "lost-look-ahead", TRC_LOOK_06, "look-ahead was lost before this corner";
+        /// [TRC-LOOK-05]
+        LineInBackwards = "line-in-backwards", TRC_LOOK_05, "the tool moves back to the start of this arc and cuts into the contour before it";
         /// [TRC-DUMMY-03]
         DummyMismatch = "dummy-mismatch", TRC_DUMMY_03, "the dummy block does not point along the move that follows it";
     }

@@ -47,7 +47,7 @@ choices! {
     }
     /// Whether M96 and M97 choose the outer corner ([TRC-CORNER-11]).
     CornerCodes {
-        /// They have no meaning for compensation.
+        /// They do not: an error of the program.
         None = "none",
         /// They do.
         M96M97 = "m96-m97",

@@ -1,1 +1,9 @@
-//! x
+//! Certification: a device against the vectors and the generated programs of a level.
+
+mod campaign;
+mod failure;
+mod tally;
+
+pub use campaign::{Campaign, Level, Outcome, certify};
+pub use failure::Failure;
+pub use tally::{ClauseTally, Tally};

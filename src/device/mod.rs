@@ -1,8 +1,8 @@
 //! Devices under test.
 
-//TEMP mod builtin;
+mod builtin;
 
-//TEMP pub use builtin::Builtin;
+pub use builtin::Builtin;
 
 use radcomp_spec::{Alarm, Block, Parameters, Step};
 use rug::Rational;

@@ -18,7 +18,7 @@ pub struct Corner {
 
 /// What a decision says, for a person; none for one that only says that all is as it should be.
 pub fn in_words(decision: &Decision, corner: Corner) -> Option<String> {
-    let by = corner.turn.map_or(String::new(), |turn| format!(" by {}°", super::trimmed(&format!("{:.4}", turn.abs()))));
+    let by = corner.turn.map_or(String::new(), |turn| format!(" by {}", angle(turn.abs())));
     let words = match (decision.kind, decision.exact) {
         (DecisionKind::Moves, Equal) => "no length: the block does not move".to_owned(),
         (DecisionKind::Moves, _) => return None,
@@ -60,8 +60,18 @@ pub fn in_words(decision: &Decision, corner: Corner) -> Option<String> {
         (DecisionKind::LineForward, Less) => "the tool's centre would run this line backwards".to_owned(),
         (DecisionKind::ArcForward, Less) => "the tool's centre would run this arc backwards".to_owned(),
         (DecisionKind::ArcForward, _) => return None,
+        (DecisionKind::LineInForward, Less) => "the straight move to the arc's start runs against the arc".to_owned(),
+        (DecisionKind::LineInForward, _) => return None,
         (DecisionKind::NearCorner, Less) => "the intersection lies far from the corner".to_owned(),
         (DecisionKind::NearCorner, _) => return None,
     };
     Some(words)
+}
+
+/// An angle in degrees, for the words only.
+fn angle(degrees: f64) -> String {
+    let rounded = (degrees * 1e4).round() / 1e4;
+    // What is not quite a right angle does not pass for one.
+    let nearly = rounded % 45.0 == 0.0 && (degrees - rounded).abs() > 1e-9;
+    format!("{}{rounded}°", if nearly { "nearly " } else { "" })
 }

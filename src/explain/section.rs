@@ -46,7 +46,7 @@ pub(super) struct Section {
 /// Columns of the text.
 const WIDTH: usize = 100;
 /// Before what is told of a block.
-const INDENT: &str = "                 ";
+const INDENT: &str = "               ";
 
 impl Section {
     /// The text of the block; closed forms stand where so many digits do not tell all.
@@ -59,10 +59,12 @@ impl Section {
             page.row("code", &code);
         }
         for check in &self.checks {
-            page.decision("check", check, Corner::default());
+            page.decision("check", "", check, Corner::default());
         }
+        let mut told = 0;
         for (line, corner, decision) in &self.corner {
-            page.decision(&format!("corner, line {line}"), decision, *corner);
+            let place = if told == *line { String::new() } else { format!("with line {line}: ") };
+            told = if page.decision("corner", &place, decision, *corner) { *line } else { told };
         }
         for step in &self.steps {
             let (name, words, point) = self.step(step, digits);
@@ -177,11 +179,14 @@ impl Page {
         let _ = writeln!(self.text, "  {name:<width$}{}", &set[place..], width = INDENT.len() - 2);
     }
 
-    fn decision(&mut self, name: &str, decision: &Decision, corner: Corner) {
-        let Some(words) = in_words(decision, corner) else { return };
-        let margin = decision.margin.short(self.digits);
-        let form = decision.margin.closed(self.digits).map_or(String::new(), |form| format!(" = {form}"));
-        self.row(name, &format!("{words}; margin {margin} mm{form} [{}]", decision.clause()));
+    /// Whether there was anything to tell. The words have the margin's sign.
+    fn decision(&mut self, name: &str, place: &str, decision: &Decision, corner: Corner) -> bool {
+        let Some(words) = in_words(decision, corner) else { return false };
+        let margin = decision.margin.abs();
+        let form = margin.closed(self.digits).map_or(String::new(), |form| format!(" = {form}"));
+        let margin = margin.short(self.digits);
+        self.row(name, &format!("{place}{words}; margin {margin} mm{form} [{}]", decision.clause()));
+        true
     }
 
     fn clause(&mut self, of: Clause) {

@@ -54,7 +54,7 @@ pub struct Program {
 /// A block of a program, with its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadBlock {
-    /// What compensation sees. `rapid` is set for straight moves in the plane only.
+    /// What compensation sees. `rapid` is set where G00 moves an axis, the normal one too, and in a dummy block under G00.
     pub block: Block<Rational>,
     /// The line, from 1.
     pub line: u32,

@@ -41,14 +41,13 @@ pub fn print(program: &Program, profile: &Profile) -> Result<Listing, PrintError
 
 /// Writes blocks as a program in the profile's plane, numbered N1, N2, … so that N is the block's index plus one.
 ///
-/// The program reads back to the same blocks, apart from two liberties that change no outcome: a block without a straight
-/// move loses its `rapid`, and where compensation comes on before any radius is in force, the radius 0 that counts there
-/// ([TRC-MODE-03]) is written out.
+/// The program reads back to the same blocks, with one liberty that changes no outcome: where compensation comes on before
+/// any radius is in force, the radius 0 that counts there ([TRC-MODE-03]) is written out.
 ///
 /// # Errors
 ///
 /// When the blocks have no G-code under this profile: a number with more decimals than the reader takes, a code that the
-/// profile does not have, a dummy block outside offset mode.
+/// profile does not have, an arc at rapid traverse, a dummy block outside offset mode.
 pub fn print_blocks(blocks: &[Block<Rational>], profile: &Profile) -> Result<Listing, PrintError> {
     let lines = blocks.iter().enumerate().map(|(index, block)| Source {
         block,
@@ -108,7 +107,6 @@ impl Printer<'_> {
             line.code(brief(self.plane));
         }
         let mut expected = block.clone();
-        expected.rapid &= matches!(block.movement, Movement::Line { .. });
         let unset = matches!(block.compensation, Some(Compensation::On(_))) && self.radii.is_empty();
         if unset && block.radius.is_none() {
             expected.radius = Some(Rational::new());
@@ -181,13 +179,23 @@ impl Printer<'_> {
     ) -> Result<(), PrintError> {
         let [a, b, normal_axis] = axes_of(self.plane);
         let straight = if block.rapid { "G00" } else { "G01" };
-        let to_normal = normal.filter(|normal| **normal != self.normal).cloned();
+        let mut to_normal = normal.filter(|normal| **normal != self.normal).cloned();
         match &block.movement {
-            Movement::None if to_normal.is_some() => line.code("G01"),
-            Movement::None => {}
+            Movement::None => {
+                if block.rapid {
+                    // What moves nothing in the plane at rapid traverse moves along the normal, if only to where it is.
+                    to_normal = to_normal.or_else(|| Some(self.normal.clone()));
+                }
+                if to_normal.is_some() {
+                    line.code(straight);
+                }
+            }
             Movement::Line { end } => {
                 line.code(straight);
                 self.point(AXES, end, line)?;
+            }
+            Movement::Arc { .. } if block.rapid => {
+                return Err(PrintError::NoCode { block: line.block(), wanted: "an arc at rapid traverse" });
             }
             Movement::Arc { end, centre, direction } => {
                 line.code(if *direction == Direction::Clockwise { "G02" } else { "G03" });
@@ -201,7 +209,7 @@ impl Printer<'_> {
                 }
             }
             Movement::Dummy { vector } => {
-                line.code("G01");
+                line.code(straight);
                 for (axis, component) in [a, b].into_iter().zip(vector) {
                     let doubled = axis == 0 && self.profile.machine.dummy_first_axis == Measure::Diameter;
                     line.number(CENTRES[axis], &if doubled { component.clone() * 2 } else { component.clone() })?;

@@ -23,9 +23,11 @@ fn describe(read: &ReadBlock) -> String {
     let number = |value: &Rational| format_decimal(value).unwrap_or_else(|| value.to_string());
     let pair = |point: &[Rational; 2]| format!("{} {}", number(&point[0]), number(&point[1]));
     let mut text = match &read.block.movement {
+        Movement::None if read.block.rapid => "none at rapid".to_owned(),
         Movement::None => "none".to_owned(),
         Movement::Line { end } if read.block.rapid => format!("rapid {}", pair(end)),
         Movement::Line { end } => format!("line {}", pair(end)),
+        Movement::Dummy { vector } if read.block.rapid => format!("dummy {} at rapid", pair(vector)),
         Movement::Dummy { vector } => format!("dummy {}", pair(vector)),
         Movement::Arc { end, centre, direction } => {
             let sense = if *direction == Direction::Clockwise { "cw" } else { "ccw" };

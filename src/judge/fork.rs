@@ -4,17 +4,23 @@ use std::cmp::Ordering;
 use std::collections::VecDeque;
 
 use radcomp_model::{Decision, Run, run_with};
-use radcomp_spec::{Block, Parameters};
+use radcomp_spec::{Block, DecisionKind, Parameters};
 use rug::Rational;
 
 /// The most outcomes that are looked at for one program.
 pub(crate) const MOST_FORKS: usize = 64;
 
 /// A decision that was answered otherwise than exactly.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flip {
-    /// The decision.
-    pub decision: Decision,
+    /// Index of the block that was being read.
+    pub block: usize,
+    /// Which decision.
+    pub kind: DecisionKind,
+    /// Its margin, in millimetres, within one unit in the last place.
+    pub margin: f64,
+    /// The exact answer.
+    pub exact: Ordering,
     /// The branch that was taken.
     pub taken: Ordering,
 }
@@ -34,12 +40,18 @@ pub(crate) fn find(
         let mut taken = Vec::new();
         let mut flips = Vec::new();
         let run = run_with(parameters, blocks, |decision| {
-            if !in_band(decision, beta) {
+            if !decision.kind.shapes_the_path() || !in_band(decision, beta) {
                 return decision.exact;
             }
             let answer = script.get(taken.len()).copied().unwrap_or(decision.exact);
             if answer != decision.exact {
-                flips.push(Flip { decision: decision.clone(), taken: answer });
+                flips.push(Flip {
+                    block: decision.block,
+                    kind: decision.kind,
+                    margin: decision.margin.to_f64(),
+                    exact: decision.exact,
+                    taken: answer,
+                });
             }
             taken.push((decision.exact, answer));
             answer

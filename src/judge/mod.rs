@@ -13,5 +13,6 @@ mod verdict;
 
 pub use budget::{Budget, Grade};
 pub use compare::{Difference, Divergence};
+pub use fork::Flip;
 pub use stroke::{Shape, Stroke};
 pub use verdict::{Judged, Verdict, judge};

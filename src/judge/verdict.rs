@@ -6,8 +6,7 @@ use rug::Rational;
 
 use super::budget::Budget;
 use super::compare::{self, Divergence};
-use super::fork;
-pub use super::fork::Flip;
+use super::fork::{self, Flip};
 use crate::device::{Device, DeviceFault};
 
 /// What the judge says of one answer.

@@ -73,8 +73,7 @@ fn centre_from_radius(
         return Err(AlarmKind::NoSuchArc);
     }
     // √(R² - q²/4) / q, so that the chord need not be made a unit vector.
-    let height =
-        height_squared.checked_div(&chord_squared).map_or_else(Real::zero, |ratio| ratio.sqrt_or_zero());
+    let height = height_squared.checked_div(&chord_squared).map_or_else(Real::zero, |ratio| ratio.sqrt_or_zero());
     let left = (radius.sign() != Ordering::Less) == (sense == Direction::Counterclockwise);
     let height = if left { height } else { -height };
     Ok(start.along(chord, &half).along(&chord.perp(), &height))

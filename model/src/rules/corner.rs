@@ -32,9 +32,7 @@ pub(crate) fn corner(
         Ordering::Less => outer(before, after, side, setting, false, judgement),
         Ordering::Equal => match right_angle(before, after, judgement) {
             // [TRC-CORNER-02] the two normals are one.
-            Ordering::Greater => {
-                Ok(Junction::single(clause::TRC_CORNER_02, before.normal(side, setting.radius), true))
-            }
+            Ordering::Greater => Ok(Junction::single(clause::TRC_CORNER_02, before.normal(side, setting.radius), true)),
             // [TRC-CORNER-09] exact reversal.
             Ordering::Less => match setting.parameters.reversal {
                 Reversal::Outer => outer(before, after, side, setting, true, judgement),
@@ -139,13 +137,7 @@ fn arc_corner(before: &Arm, after: &Arm, side: Side, radius: &Real) -> Junction 
             full: false,
         }]
     };
-    Junction {
-        clause: clause::TRC_CORNER_10,
-        first,
-        first_is_normal: true,
-        moves,
-        last_is_normal: true,
-    }
+    Junction { clause: clause::TRC_CORNER_10, first, first_is_normal: true, moves, last_is_normal: true }
 }
 
 /// [TRC-WEDGE-01]

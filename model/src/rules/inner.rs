@@ -21,9 +21,7 @@ pub(crate) fn inner(
     judgement: &mut Judgement<'_>,
 ) -> Result<Junction, Refused> {
     let (clause, vector) = match (&before.circle, &after.circle) {
-        (None, None) => {
-            (clause::TRC_CORNER_03, mitre(before, after, side, radius).ok_or(Refused::Contradiction)?)
-        }
+        (None, None) => (clause::TRC_CORNER_03, mitre(before, after, side, radius).ok_or(Refused::Contradiction)?),
         (None, Some(circle)) => {
             let crossing = LineCircle::new(before, side, circle, side, radius);
             crossing.must_meet(judgement)?;

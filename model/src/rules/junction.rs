@@ -45,13 +45,7 @@ pub(crate) struct Setting<'a> {
 impl Junction {
     /// A junction with one vector.
     pub(crate) fn single(clause: Clause, vector: Vector, is_normal: bool) -> Self {
-        Junction {
-            clause,
-            first: vector,
-            first_is_normal: is_normal,
-            moves: Vec::new(),
-            last_is_normal: is_normal,
-        }
+        Junction { clause, first: vector, first_is_normal: is_normal, moves: Vec::new(), last_is_normal: is_normal }
     }
 
     /// A junction whose vectors are joined by straight moves; moves of no length are not made ([TRC-CORNER-12]).

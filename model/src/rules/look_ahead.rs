@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use radcomp_spec::{AdvisoryKind, Side};
+use radcomp_spec::{AdvisoryKind, DecisionKind, Side};
 
 use super::junction::{Junction, line_to};
 use crate::decision::Judgement;
@@ -22,12 +22,23 @@ pub(crate) enum Settled {
 
 /// Where the element after a settled junction starts: a line where the tool stands ([TRC-LOOK-04]), an arc on its own
 /// normal, to which the tool moves straight ([TRC-LOOK-05]).
-pub(crate) fn resume(tool: &Vector, next: &Element, side: Side, radius: &Real) -> Junction {
+pub(crate) fn resume(
+    tool: &Vector,
+    next: &Element,
+    side: Side,
+    radius: &Real,
+    judgement: &mut Judgement<'_>,
+) -> Junction {
     match next.shape {
         Shape::Line { .. } => Junction::single(clause::TRC_LOOK_04, tool.clone(), false),
         Shape::Arc { .. } => {
             let normal = next.first_arm().normal(side, radius);
-            let moves = if normal == *tool { Vec::new() } else { vec![line_to(&normal)] };
+            let line_in = normal.minus(tool);
+            let moves = if line_in.is_zero() { Vec::new() } else { vec![line_to(&normal)] };
+            let along = line_in.dot(&next.first_arm().unit());
+            if judgement.decide(DecisionKind::LineInForward, &along, along.clone()) == Ordering::Less {
+                judgement.advise(AdvisoryKind::LineInBackwards, line_in.length());
+            }
             Junction {
                 clause: clause::TRC_LOOK_05,
                 first: tool.clone(),

@@ -90,21 +90,21 @@ fn faults_say_what_would_be_right() {
     #[rustfmt::skip]
     let cases = [
         (r#"value = "zx","#, r#"value = "zy","#, r#""zy""#, r#"`machine.plane` cannot be "zy"; it can be "xy", "zx", "yz""#),
-        (r#"value = "zx","#, r#"value = 18,"#, r#"18"#, r#"`machine.plane` cannot be 18; it can be "xy", "zx", "yz""#),
-        (r#"value = "0.001","#, r#"value = 0.001,"#, r#"0.001"#, r#"`machine.least-increment` cannot be 0.001; it can be a decimal in quotes, greater than 0, such as "0.001""#),
+        (r#"value = "zx","#, "value = 18,", "18", r#"`machine.plane` cannot be 18; it can be "xy", "zx", "yz""#),
+        (r#"value = "0.001","#, "value = 0.001,", "0.001", r#"`machine.least-increment` cannot be 0.001; it can be a decimal in quotes, greater than 0, such as "0.001""#),
         (r#"value = "0.001","#, r#"value = "0.000","#, r#""0.000""#, r#"`machine.least-increment` cannot be "0.000"; it can be a decimal in quotes, greater than 0, such as "0.001""#),
         (r#"value = "0.01","#, r#"value = "-0.01","#, r#""-0.01""#, r#"`compensation.arc-end-tolerance` cannot be "-0.01"; it can be a decimal in quotes, 0 or greater, such as "0.001""#),
         (r#"value = "0.01","#, r#"value = "1/100","#, r#""1/100""#, r#"`compensation.arc-end-tolerance` cannot be "1/100"; it can be a decimal in quotes, 0 or greater, such as "0.001""#),
-        (r#"value = 4,"#, r#"value = 9,"#, r#"9"#, r#"`compensation.non-moving-allowed` cannot be 9; it can be a whole number from 0 to 8"#),
+        ("value = 4,", "value = 9,", "9", r#"`compensation.non-moving-allowed` cannot be 9; it can be a whole number from 0 to 8"#),
         (r#"clause = "TRC-LOOK-02""#, r#"clause = "TRC-LOOK-03""#, r#""TRC-LOOK-03""#, r#"`compensation.non-moving-allowed` belongs to the clause "TRC-LOOK-02", not to "TRC-LOOK-03""#),
         (r#"source = "S:seed001", clause = "TRC-LOOK-02""#, r#"source = "S:, D", clause = "TRC-LOOK-02""#, r#""S:, D""#, r#"`compensation.non-moving-allowed` has the source "S:, D"; sources are "S:…" (read in that source), "K" (known), "I" (derived), "D" (decided), separated by commas"#),
         (r#", clause = "TRC-LOOK-02""#, "", r#"{ value = 4,                     source = "S:seed001" }"#, r#"`compensation.non-moving-allowed.clause` is missing; it can be "TRC-LOOK-02""#),
-        ("corner-owner ", "corner-ownre ", r#"corner-ownre"#, "`compensation.corner-ownre` is not a key of a profile; possible here: `start-up`, `start-up-lost`, `cancel`, `outer-corner`, `reversal`, `side-change`, `side-change-after-start-up`, `non-moving-allowed`, `corner-owner`, `reversed-path`, `arc-end-tolerance`, `far-intersection`"),
-        ("[machine]", "[machines]", r#"machines"#, "`machines` is not a key of a profile; possible here: `name`, `title`, `extends`, `machine`, `activation`, `compensation`"),
+        ("corner-owner ", "corner-ownre ", "corner-ownre", "`compensation.corner-ownre` is not a key of a profile; possible here: `start-up`, `start-up-lost`, `cancel`, `outer-corner`, `reversal`, `side-change`, `side-change-after-start-up`, `non-moving-allowed`, `corner-owner`, `reversed-path`, `arc-end-tolerance`, `far-intersection`"),
+        ("[machine]", "[machines]", "machines", "`machines` is not a key of a profile; possible here: `name`, `title`, `extends`, `machine`, `activation`, `compensation`"),
         (r#"name = "mine""#, r#"name = "my mill""#, r#""my mill""#, r#"`name` cannot be "my mill"; it can be lower-case letters, digits and hyphens"#),
         (r#"name = "mine""#, r#"name = "seed-mill""#, r#""seed-mill""#, r#""seed-mill" is a built-in profile that says something else; give the profile a name of its own"#),
         (r#"name = "mine""#, "name = \"mine\"\nextends = \"fanuc\"", r#""fanuc""#, r#"`extends` cannot be "fanuc"; it can be "mori-lathe", "seed-mill", "yasnac-lx""#),
-        (r#"name = "mine""#, "name = ", r#""#, "this is not TOML: string values must be quoted, expected literal string"),
+        (r#"name = "mine""#, "name = ", "", "this is not TOML: string values must be quoted, expected literal string"),
     ];
     for (from, to, marked, message) in cases {
         let text = whole().replacen(from, to, 1);

@@ -18,7 +18,7 @@ pub enum PrintError {
         /// The number to write.
         value: Rational,
     },
-    /// The profile has no code that does what a block asks for.
+    /// There is no code, under the profile, that does what a block asks for.
     NoCode {
         /// Index of the block, from 0.
         block: usize,
@@ -45,7 +45,7 @@ impl fmt::Display for PrintError {
                     "block {block}: G-code has no number {value}: at most {MOST_DIGITS} digits on each side of the point, and no negative radius"
                 )
             }
-            PrintError::NoCode { block, wanted } => write!(f, "block {block}: the profile has no code for {wanted}"),
+            PrintError::NoCode { block, wanted } => write!(f, "block {block}: there is no code for {wanted}"),
             PrintError::TooManyRadii => write!(f, "the program has more than 99 radii"),
             PrintError::Refused(diagnostic) => write!(f, "the reader refuses the program:\n{diagnostic}"),
             PrintError::Different { block } => write!(f, "block {block} reads back as another block"),

@@ -44,7 +44,8 @@ impl State<'_> {
                 (None, None, _) => self.line(axes),
             },
         };
-        block.rapid = motion == Motion::Rapid && matches!(block.movement, Movement::Line { .. });
+        // A dummy block owns corner moves ([TRC-DUMMY-02]), so its rate counts too.
+        block.rapid = motion == Motion::Rapid;
         self.moved |= moves_axes || matches!(block.movement, Movement::Arc { .. });
         let [a, b, _] = axes_of(self.plane);
         let moves = match block.movement {

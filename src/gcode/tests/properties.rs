@@ -58,7 +58,7 @@ fn expressible(mut blocks: Vec<Block<Rational>>, profile: &Profile) -> Vec<Block
         if matches!(block.movement, Movement::Dummy { .. }) {
             block.movement = Movement::None;
         }
-        block.rapid &= matches!(block.movement, Movement::Line { .. });
+        block.rapid &= !matches!(block.movement, Movement::Arc { .. });
     }
     blocks
 }

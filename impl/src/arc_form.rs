@@ -1,0 +1,145 @@
+//! The form of an arc: its centre, its radii, and the alarms of an arc that does not exist. [TRC-ARC-01] to
+//! [TRC-ARC-07]
+
+use core::cmp::Ordering;
+
+use radcomp_spec::{AlarmKind, Centre, Direction};
+
+use crate::plane::{Vector, direction, magnitude, perp};
+use crate::sign::sign;
+
+/// An arc that exists.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Arc {
+    /// Its centre, in absolute coordinates.
+    pub centre: Vector,
+    /// Unit vector from the centre to the start.
+    pub start_ray: Vector,
+    /// Unit vector from the centre to the end.
+    pub end_ray: Vector,
+    /// Distance of the start from the centre.
+    pub start_radius: f64,
+    /// Distance of the end from the centre; the two differ within the tolerance. [TRC-ARC-04]
+    pub end_radius: f64,
+    /// Error of the ray at the start, in units of rounding.
+    pub start_error: f64,
+    /// Error of the ray at the end.
+    pub end_error: f64,
+    /// Bounds every coordinate of start, end and centre.
+    pub scale: f64,
+    /// δ: +1 for G03, -1 for G02. [TRC-PLANE-04]
+    pub sense: f64,
+    /// Its end is its start. [TRC-ARC-07]
+    pub full: bool,
+}
+
+/// How much of the chord's rounding reaches the rays of an arc with R at most: nearer to a half turn the inputs
+/// themselves no longer tell the tangent, and a wider band would be a tolerance.
+const MOST_AMPLIFIED: f64 = 8.0;
+
+impl Arc {
+    /// Checks the form of an arc from `start` to `end` and finds its centre. All numbers are within range
+    /// ([TRC-MODE-07]); `tolerance` is in millimetres.
+    ///
+    /// # Errors
+    /// [TRC-ARC-06] for an arc with R; [TRC-ARC-02] and then [TRC-ARC-03] for one with centre words.
+    pub fn new(
+        start: Vector,
+        end: Vector,
+        centre: &Centre<f64>,
+        sense: Direction,
+        tolerance: f64,
+    ) -> Result<Arc, AlarmKind> {
+        let sense = match sense {
+            Direction::Counterclockwise => 1.0,
+            Direction::Clockwise => -1.0,
+        };
+        let scale = magnitude(start).max(magnitude(end));
+        match *centre {
+            Centre::FromStart([a, b]) => Self::about(start, end, Vector::new(a, b), sense, scale, tolerance),
+            Centre::Radius(radius) => Self::with_radius(start, end, radius, sense, scale),
+        }
+    }
+
+    /// The direction as the vocabulary has it.
+    pub fn direction(&self) -> Direction {
+        if self.sense > 0.0 { Direction::Counterclockwise } else { Direction::Clockwise }
+    }
+
+    fn about(
+        start: Vector,
+        end: Vector,
+        to_centre: Vector,
+        sense: f64,
+        scale: f64,
+        tolerance: f64,
+    ) -> Result<Arc, AlarmKind> {
+        if to_centre == Vector::zeros() {
+            return Err(AlarmKind::CentreAtEnd);
+        }
+        let full = start == end;
+        let (toward, start_radius) = direction(to_centre);
+        let scale = scale.max(start_radius);
+        let (end_ray, end_radius) = if full {
+            (-toward, start_radius)
+        } else {
+            let to_end = (end - start) - to_centre;
+            if sign(magnitude(to_end), scale) == Ordering::Equal {
+                return Err(AlarmKind::CentreAtEnd);
+            }
+            direction(to_end)
+        };
+        if sign((start_radius - end_radius).abs() - tolerance, scale) == Ordering::Greater {
+            return Err(AlarmKind::EndOffArc);
+        }
+        Ok(Arc {
+            centre: start + to_centre,
+            start_ray: -toward,
+            end_ray,
+            start_radius,
+            end_radius,
+            // The vector to the centre is an input; that from the centre to the end is a difference of coordinates.
+            start_error: 1.0,
+            end_error: if full { 1.0 } else { 1.0 + scale / end_radius },
+            scale,
+            sense,
+            full,
+        })
+    }
+
+    fn with_radius(start: Vector, end: Vector, radius: f64, sense: f64, scale: f64) -> Result<Arc, AlarmKind> {
+        let size = radius.abs();
+        if start == end || size == 0.0 {
+            return Err(AlarmKind::NoSuchArc);
+        }
+        let scale = scale.max(size);
+        let (along, chord) = direction(end - start);
+        let half = 0.5 * chord;
+        let left = if radius > 0.0 { sense } else { -sense };
+        let (halfway, height, amplified) = match sign(size - half, scale) {
+            Ordering::Less => return Err(AlarmKind::NoSuchArc),
+            // The chord is a diameter: the centre is its midpoint, whatever rounding left of the difference.
+            Ordering::Equal => (1.0, 0.0, 0.0),
+            Ordering::Greater => {
+                let height = libm::sqrt((size - half) * (size + half));
+                (half / size, height / size, (half / height).min(MOST_AMPLIFIED))
+            }
+        };
+        let along_part = along * halfway;
+        let across_part = perp(along) * (left * height);
+        let error = 1.0 + scale / size * (1.0 + amplified);
+        let start_ray = -(along_part + across_part);
+        Ok(Arc {
+            centre: start + (end - start) * 0.5 + across_part * size,
+            start_ray,
+            end_ray: along_part - across_part,
+            start_radius: size,
+            end_radius: size,
+            start_error: error,
+            end_error: error,
+            scale,
+            sense,
+            full: false,
+        })
+    }
+}

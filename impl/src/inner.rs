@@ -1,0 +1,75 @@
+//! Inner corners: the intersection of the two offset curves. [TRC-CORNER-03] to [TRC-CORNER-05]
+//!
+//! Let the vector be `P + z`, `w = |z|² - r²`, and κ = σδ/R for an arc, 0 for a line. That z lies on an offset curve
+//! with normal n at P is `z·n = r + w·κ/2`, for lines and arcs alike. Two such equations give z as a linear function
+//! of w, and |z|² = r² + w a quadratic one whose smaller root, in a form that does not cancel, is
+//!
+//! ```text
+//! w = 2·r²·(1 - d) / (b + √Δ),   b = 1 + d - r·(κ1 + κ2),
+//! Δ = (1 + d)·G,                 G = 1 + d - 2·r·(κ1 + κ2) + 2·r²·κ1·κ2
+//! ```
+//!
+//! It is the root at which the path turns to the tool's side: it is P itself for r = 0, and the turn on it vanishes
+//! only with Δ. The curves have no common point when G < 0.
+
+use core::cmp::Ordering;
+
+use radcomp_spec::{AlarmKind, clause};
+
+use crate::element::Element;
+use crate::junction::{Junction, Turn};
+use crate::plane::Vector;
+use crate::sign::sign;
+
+/// Forms an inner corner that is not tangent.
+///
+/// # Errors
+/// [TRC-CORNER-05]
+#[inline(always)]
+pub(crate) fn corner(first: &Element, second: &Element, radius: f64, turn: Turn) -> Result<Junction, AlarmKind> {
+    let tangent = turn.half_tangent();
+    if first.arc.is_none() && second.arc.is_none() {
+        let vector = first.end_vector(radius) - first.last * (radius * tangent);
+        return Ok(Junction::at(clause::TRC_CORNER_03, vector, true));
+    }
+    if radius == 0.0 {
+        // Without a radius P is the intersection, and on the normal of an arc.
+        return Ok(Junction::at(clause::TRC_CORNER_04, first.end, true));
+    }
+    let z = with_arc(first, second, radius, turn, tangent)?;
+    Ok(Junction::at(clause::TRC_CORNER_04, first.end + z, false))
+}
+
+/// The vector of an inner corner with an arc, relative to P.
+fn with_arc(first: &Element, second: &Element, radius: f64, turn: Turn, tangent: f64) -> Result<Vector, AlarmKind> {
+    let sine = turn.cross.abs();
+    // 1 + d and 1 - d by products, which keep their digits near a straight path and near a reversal.
+    let one_plus = sine / tangent;
+    let one_less = sine * tangent;
+    let (k1, k2) = (radius * first.end_curvature(), radius * second.start_curvature());
+    let b = one_plus - (k1 + k2);
+    let meets = one_plus - 2.0 * (k1 + k2) + 2.0 * k1 * k2;
+    let root = match sign(meets, overlap_scale(first, second, sine, one_plus, k1.abs(), k2.abs())) {
+        Ordering::Less => return Err(AlarmKind::NoIntersection),
+        // The curves touch.
+        Ordering::Equal => 0.0,
+        Ordering::Greater => libm::sqrt(one_plus * meets),
+    };
+    // w/r, and z by its parts along the normal and against the tangent of the first element.
+    let share = 2.0 / (b + root);
+    let along_normal = radius * (1.0 + 0.5 * share * one_less * k1);
+    let back = radius * tangent * (1.0 + 0.5 * share * (k2 - turn.dot * k1));
+    Ok(first.end_normal() * along_normal - first.last * back)
+}
+
+/// Bounds the terms of G, and what the coordinates' rounding makes of them through radii and tangents.
+fn overlap_scale(first: &Element, second: &Element, sine: f64, one_plus: f64, k1: f64, k2: f64) -> f64 {
+    let terms = 2.0 * (k1 + k2) + 2.0 * k1 * k2;
+    let radius = match (&first.arc, &second.arc) {
+        (Some(one), Some(two)) => one.end_radius.min(two.start_radius),
+        (Some(one), None) => one.end_radius,
+        (None, Some(two)) => two.start_radius,
+        (None, None) => 1.0,
+    };
+    one_plus + terms + (sine + terms) * first.scale.max(second.scale) / radius
+}

@@ -1,0 +1,98 @@
+//! Blocks whose tool path would run backwards. [TRC-WEDGE-02], [TRC-WEDGE-03]
+
+use core::cmp::Ordering;
+
+use radcomp_spec::AlarmKind;
+
+use crate::arc_form::Arc;
+use crate::element::Element;
+use crate::plane::{Vector, cross, dot, magnitude};
+use crate::sign::sign;
+
+/// The alarm of a compensated element on which the tool's centre would run backwards from `from` to `to`; `full` when
+/// it is run as a full circle.
+pub(crate) fn reversed(element: &Element, from: Vector, to: Vector, full: bool) -> Option<AlarmKind> {
+    let scale = element.scale.max(magnitude(from)).max(magnitude(to));
+    match &element.arc {
+        None => {
+            let travel = dot(to - from, element.last);
+            (sign(travel, scale) == Ordering::Less).then_some(AlarmKind::ReversedLine)
+        }
+        Some(_) if full => None,
+        Some(arc) => arc_reversed(arc, from, to, scale).then_some(AlarmKind::ReversedArc),
+    }
+}
+
+/// An angle as cosine and sine, times a length, and where it lies: the sine's sign without its rounding.
+struct Sweep {
+    x: f64,
+    y: f64,
+    half: Ordering,
+}
+
+impl Sweep {
+    /// From one ray to the other in the arc's sense; `scale` bounds the terms of the sine.
+    fn between(from: Vector, to: Vector, sense: f64, scale: f64) -> Sweep {
+        let y = sense * cross(from, to);
+        Sweep { x: dot(from, to), y, half: sign(y, scale) }
+    }
+
+    /// The rays are one.
+    fn is_closed(&self) -> bool {
+        self.half == Ordering::Equal && self.x >= 0.0
+    }
+}
+
+/// Whether the programmed sweep G in (0°, 360°] and the tool's sweep T in [0°, 360°) differ by more than 180°.
+fn arc_reversed(arc: &Arc, from: Vector, to: Vector, scale: f64) -> bool {
+    let programmed = Sweep::between(arc.start_ray, arc.end_ray, arc.sense, arc.start_error + arc.end_error);
+    let (start, end) = (from - arc.centre, to - arc.centre);
+    let bound = scale * (magnitude(start) + magnitude(end));
+    let tool = Sweep::between(start, end, arc.sense, bound);
+    // sin(T - G), of which both lengths are left in the product.
+    let difference = programmed.x * tool.y - programmed.y * tool.x;
+    let order = sign(difference, bound + (magnitude(start) * magnitude(end)) * (arc.start_error + arc.end_error));
+    match (programmed.is_closed(), tool.is_closed()) {
+        // 360° against 0°.
+        (true, true) => true,
+        (true, false) => tool.half == Ordering::Greater,
+        (false, true) => programmed.half == Ordering::Less,
+        (false, false) => match (programmed.half, tool.half) {
+            // G < 180° < T: reversed when T - G > 180°, its sine negative.
+            (Ordering::Greater, Ordering::Less) => order == Ordering::Less,
+            // T < 180° < G: reversed when G - T > 180°, the sine of T - G positive.
+            (Ordering::Less, Ordering::Greater) => order == Ordering::Greater,
+            // Both in one half turn, or one of them 180° exactly.
+            _ => false,
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plane::perp;
+    use radcomp_spec::{Centre, Direction};
+
+    fn ray(degrees: f64) -> Vector {
+        Vector::new(degrees.to_radians().cos(), degrees.to_radians().sin())
+    }
+
+    #[test]
+    fn sweeps_against_angles() {
+        for sense in [1.0, -1.0] {
+            for programmed in (10_i32..360).step_by(25) {
+                for swept in (0..360).step_by(15) {
+                    let direction = if sense > 0.0 { Direction::Counterclockwise } else { Direction::Clockwise };
+                    let (start, end) = (ray(20.0) * 5.0, ray(20.0 + sense * f64::from(programmed)) * 5.0);
+                    let centre = Centre::FromStart([-start.x, -start.y]);
+                    let arc = Arc::new(start, end, &centre, direction, 0.01).unwrap();
+                    let (from, to) = (ray(50.0) * 4.0, ray(50.0 + sense * f64::from(swept)) * 4.0);
+                    let expected = (programmed - swept).abs() > 180;
+                    assert_eq!(arc_reversed(&arc, from, to, 5.0), expected, "{programmed} {swept}");
+                }
+            }
+        }
+        assert_eq!(perp(ray(0.0)), Vector::new(-0.0, 1.0));
+    }
+}

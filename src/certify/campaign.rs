@@ -1,0 +1,188 @@
+//! Running a campaign.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+
+use radcomp_spec::Block;
+use radcomp_spec::profile::Profile;
+use rug::Rational;
+
+use super::failure::Failure;
+use super::tally::Tally;
+use crate::device::Device;
+use crate::generate::{self, Reach};
+use crate::judge::{Budget, Judged, judge};
+use crate::minimise::minimise;
+use crate::vectors;
+
+/// How much is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Vectors and generated programs; seconds.
+    One,
+    /// More of them; minutes.
+    Two,
+}
+
+impl Level {
+    /// How many generated programs the level asks for; more may be judged, never fewer.
+    pub const fn programs(self) -> u64 {
+        match self {
+            Level::One => 24_000,
+            Level::Two => 480_000,
+        }
+    }
+}
+
+/// What a campaign judges.
+#[derive(Clone, Debug)]
+pub struct Campaign {
+    /// The control's profile.
+    pub profile: Profile,
+    /// Seed of the generated programs.
+    pub seed: u64,
+    /// How many of them.
+    pub programs: u64,
+    /// The budgets.
+    pub budget: Budget,
+    /// Threads to work with; the outcome does not depend on it.
+    pub threads: usize,
+}
+
+/// What came of it.
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    /// The counts.
+    pub tally: Tally,
+    /// Failed programs, in order; at most [`MOST_FAILURES`].
+    pub failures: Vec<Failure>,
+    /// Failures of one cause: the group's name, how many, and the smallest program found.
+    pub groups: Vec<(String, u64, Failure)>,
+}
+
+/// How many failed programs are kept.
+pub const MOST_FAILURES: usize = 200;
+/// How many causes are minimised.
+const MOST_GROUPS: usize = 8;
+/// How many programs a thread takes at a time.
+const CHUNK: u64 = 60;
+
+/// Judges a device. `make` makes one for each thread; `progress` hears how many programs are done.
+pub fn certify<D: Device>(
+    campaign: &Campaign,
+    make: impl Fn() -> D + Sync,
+    progress: impl Fn(u64) + Sync,
+) -> Outcome {
+    let mut outcome = Outcome::default();
+    let mut groups = BTreeMap::new();
+    judge_vectors(campaign, &mut make(), &mut outcome, &mut groups);
+    let next = AtomicU64::new(0);
+    let mut parts: Vec<Part> = thread::scope(|scope| {
+        let work = || {
+            let mut device = make();
+            let mut parts = Vec::new();
+            loop {
+                let from = next.fetch_add(CHUNK, Ordering::Relaxed);
+                if from >= campaign.programs {
+                    return parts;
+                }
+                let to = (from + CHUNK).min(campaign.programs);
+                parts.push(judge_chunk(campaign, &mut device, from, to));
+                progress(to - from);
+            }
+        };
+        let threads: Vec<_> = (0..campaign.threads.max(1)).map(|_| scope.spawn(work)).collect();
+        threads.into_iter().filter_map(|thread| thread.join().ok()).flatten().collect()
+    });
+    parts.sort_by_key(|part| part.from);
+    for part in parts {
+        outcome.tally.merge(part.tally);
+        for failure in part.failures {
+            note(failure, &mut outcome, &mut groups);
+        }
+    }
+    outcome.groups = smallest(campaign, &mut make(), groups);
+    outcome
+}
+
+/// What one chunk of programs gave.
+struct Part {
+    from: u64,
+    tally: Tally,
+    failures: Vec<Failure>,
+}
+
+fn judge_chunk(campaign: &Campaign, device: &mut impl Device, from: u64, to: u64) -> Part {
+    let mut part = Part { from, tally: Tally::default(), failures: Vec::new() };
+    let reach = Reach::of(&campaign.profile);
+    for number in from..to {
+        let blocks = generate::program(campaign.seed, number, reach);
+        let judged = judge_one(campaign, device, &blocks);
+        part.tally.add(&blocks, &judged);
+        if judged.verdict.is_red() {
+            part.failures.push(Failure { name: format!("#{number}"), verdict: judged.verdict, blocks });
+        }
+    }
+    part
+}
+
+fn judge_one(campaign: &Campaign, device: &mut impl Device, blocks: &[Block<Rational>]) -> Judged {
+    judge(device, &campaign.profile.parameters, blocks, &campaign.budget)
+}
+
+/// The vectors that were written for this profile without changing its parameters.
+fn judge_vectors(
+    campaign: &Campaign,
+    device: &mut impl Device,
+    outcome: &mut Outcome,
+    groups: &mut BTreeMap<String, (u64, Failure)>,
+) {
+    for vector in vectors::all().iter().flatten() {
+        let Ok(profile) = vector.profile() else { continue };
+        // A vector whose parameters are another profile's is none of this campaign's.
+        if profile.parameters != campaign.profile.parameters || profile.machine != campaign.profile.machine {
+            continue;
+        }
+        let Ok(Ok(program)) = vector.read(&profile) else { continue };
+        let blocks: Vec<_> = program.blocks.into_iter().map(|read| read.block).collect();
+        let judged = judge_one(campaign, device, &blocks);
+        outcome.tally.add(&blocks, &judged);
+        if judged.verdict.is_red() {
+            note(Failure { name: vector.name.clone(), verdict: judged.verdict, blocks }, outcome, groups);
+        }
+    }
+}
+
+fn note(failure: Failure, outcome: &mut Outcome, groups: &mut BTreeMap<String, (u64, Failure)>) {
+    let (count, smallest) = groups.entry(failure.group()).or_insert_with(|| (0, failure.clone()));
+    *count += 1;
+    if failure.blocks.len() < smallest.blocks.len() {
+        *smallest = failure.clone();
+    }
+    if outcome.failures.len() < MOST_FAILURES {
+        outcome.failures.push(failure);
+    }
+}
+
+/// The groups, most frequent first, each with its program minimised.
+fn smallest(
+    campaign: &Campaign,
+    device: &mut impl Device,
+    groups: BTreeMap<String, (u64, Failure)>,
+) -> Vec<(String, u64, Failure)> {
+    let mut groups: Vec<_> = groups.into_iter().map(|(name, (count, failure))| (name, count, failure)).collect();
+    groups.sort_by(|x, y| y.1.cmp(&x.1).then_with(|| x.0.cmp(&y.0)));
+    for (name, _, failure) in groups.iter_mut().take(MOST_GROUPS) {
+        // A smaller program counts only if it can be written for the profile and fails in the same way.
+        let mut same = |blocks: &[Block<Rational>]| {
+            let verdict = judge_one(campaign, device, blocks).verdict;
+            let candidate = Failure { name: String::new(), verdict, blocks: blocks.to_vec() };
+            candidate.verdict.is_red() && candidate.group() == *name && candidate.listing(&campaign.profile).is_ok()
+        };
+        let blocks = minimise(&failure.blocks, &mut same);
+        let verdict = judge_one(campaign, device, &blocks).verdict;
+        *failure = Failure { name: failure.name.clone(), verdict, blocks };
+    }
+    groups
+}

@@ -1,0 +1,150 @@
+//! Counts of a campaign.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use radcomp_model::Run;
+use radcomp_spec::clause::{self, Clause};
+use radcomp_spec::{Block, DecisionKind};
+use rug::Rational;
+use serde::Serialize;
+
+use crate::judge::{Judged, Verdict};
+
+/// What a campaign has counted. Tallies of parts add up to the tally of the whole, in any order.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Tally {
+    /// Programs judged.
+    pub programs: u64,
+    /// Blocks read by the model.
+    pub blocks: u64,
+    /// Junctions of two compensated elements.
+    pub corners: u64,
+    /// Programs by verdict.
+    pub verdicts: BTreeMap<&'static str, u64>,
+    /// Counts by clause.
+    pub clauses: BTreeMap<&'static str, ClauseTally>,
+    /// Decisions by kind: negative, zero, positive margins.
+    pub decisions: BTreeMap<&'static str, [u64; 3]>,
+}
+
+/// Counts for one clause.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct ClauseTally {
+    /// Programs whose exact outcome uses the clause.
+    pub programs: u64,
+    /// Path elements that it made.
+    pub elements: u64,
+    /// Alarms that it raised.
+    pub alarms: u64,
+    /// Decisions taken by its sentence.
+    pub decisions: u64,
+    /// Programs judged exact or admissible.
+    pub passed: u64,
+    /// Programs whose first divergence lies at this clause.
+    pub failed: u64,
+}
+
+impl Tally {
+    /// Counts one judged program.
+    pub fn add(&mut self, blocks: &[Block<Rational>], judged: &Judged) {
+        self.programs += 1;
+        self.blocks += blocks.len() as u64;
+        *self.verdicts.entry(judged.verdict.id()).or_default() += 1;
+        let used = self.add_run(&judged.exact);
+        let red = judged.verdict.is_red();
+        for clause in used {
+            let tally = self.clauses.entry(clause.id()).or_default();
+            tally.programs += 1;
+            tally.passed += u64::from(!red);
+        }
+        if let Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence) = &judged.verdict {
+            self.clauses.entry(divergence.clause.id()).or_default().failed += 1;
+        }
+    }
+
+    fn add_run(&mut self, run: &Run) -> BTreeSet<Clause> {
+        let mut used = BTreeSet::new();
+        for step in &run.steps {
+            self.clauses.entry(step.clause.id()).or_default().elements += 1;
+            self.corners += u64::from(step.main && is_junction(step.clause));
+            used.insert(step.clause);
+        }
+        for (decision, _) in &run.decisions {
+            self.clauses.entry(decision.clause().id()).or_default().decisions += 1;
+            let slot = match decision.exact {
+                std::cmp::Ordering::Less => 0,
+                std::cmp::Ordering::Equal => 1,
+                std::cmp::Ordering::Greater => 2,
+            };
+            self.decisions.entry(decision.kind.id()).or_default()[slot] += 1;
+            used.insert(decision.clause());
+        }
+        if let Some(alarm) = run.alarm {
+            self.clauses.entry(alarm.kind.clause().id()).or_default().alarms += 1;
+            used.insert(alarm.kind.clause());
+        }
+        used
+    }
+
+    /// Adds the counts of another part.
+    pub fn merge(&mut self, other: Tally) {
+        self.programs += other.programs;
+        self.blocks += other.blocks;
+        self.corners += other.corners;
+        for (verdict, count) in other.verdicts {
+            *self.verdicts.entry(verdict).or_default() += count;
+        }
+        for (id, part) in other.clauses {
+            let whole = self.clauses.entry(id).or_default();
+            whole.programs += part.programs;
+            whole.elements += part.elements;
+            whole.alarms += part.alarms;
+            whole.decisions += part.decisions;
+            whole.passed += part.passed;
+            whole.failed += part.failed;
+        }
+        for (kind, part) in other.decisions {
+            let whole = self.decisions.entry(kind).or_default();
+            (0..3).for_each(|slot| whole[slot] += part[slot]);
+        }
+    }
+
+    /// Programs that the device failed.
+    pub fn red(&self) -> u64 {
+        let green = ["exact", "admissible"];
+        self.verdicts.iter().filter(|(id, _)| !green.contains(id)).map(|(_, count)| count).sum()
+    }
+
+    /// Kinds of decisions that were never taken on one of their sides, with the side.
+    pub fn one_sided(&self) -> Vec<(DecisionKind, &'static str)> {
+        let counts = |kind: &DecisionKind| self.decisions.get(kind.id()).copied().unwrap_or_default();
+        let mut missing = Vec::new();
+        for kind in DecisionKind::ALL {
+            let [negative, zero, positive] = counts(kind);
+            if negative + zero == 0 {
+                missing.push((*kind, "not positive"));
+            }
+            if positive == 0 {
+                missing.push((*kind, "positive"));
+            }
+        }
+        missing
+    }
+}
+
+/// Clauses that end an element at a junction with another one.
+fn is_junction(clause: Clause) -> bool {
+    [
+        clause::TRC_CORNER_02,
+        clause::TRC_CORNER_03,
+        clause::TRC_CORNER_04,
+        clause::TRC_CORNER_06,
+        clause::TRC_CORNER_07,
+        clause::TRC_CORNER_08,
+        clause::TRC_CORNER_09,
+        clause::TRC_CORNER_10,
+        clause::TRC_SIDE_02,
+        clause::TRC_SIDE_03,
+    ]
+    .contains(&clause)
+}

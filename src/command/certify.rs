@@ -1,0 +1,271 @@
+//! `radcomp certify`.
+
+use std::fs;
+use std::io::{IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::thread;
+
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use radcomp::certify::{Campaign, Failure as Failed, Level, Outcome, certify};
+use radcomp::device::Builtin;
+use radcomp::explain::first_sentence;
+use radcomp::judge::{Budget, Grade, Verdict as Judgement};
+use radcomp_spec::profile::Profile;
+
+use super::failure::{Failure, Verdict};
+use super::options;
+use super::terminal;
+
+/// Judge a device on the vectors and generated programs of a level
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Certify {
+    /// The device; builtin is radcomp's own implementation in f64
+    #[arg(value_name = "DEVICE", value_parser = ["builtin"])]
+    device: String,
+
+    /// The control: a built-in profile (see `radcomp profiles`) or a profile file
+    #[arg(long, short, value_name = "NAME|FILE.toml")]
+    profile: String,
+
+    /// How much is judged: 1 takes seconds, 2 minutes
+    #[arg(long, short, default_value = "1", value_parser = clap::value_parser!(u8).range(1..=2))]
+    level: u8,
+
+    /// Judge this many generated programs, at least as many as the level asks for
+    #[arg(long, value_name = "COUNT")]
+    programs: Option<u64>,
+
+    /// The seed of the generated programs
+    #[arg(long, default_value = "1")]
+    seed: u64,
+
+    /// Threads; the result does not depend on their number
+    #[arg(long, short, value_name = "COUNT")]
+    jobs: Option<usize>,
+
+    /// How near to a decision a device may take the other branch
+    #[arg(long, value_enum, default_value = "binary64")]
+    grade: GradeName,
+
+    /// How far a point may lie from where its branch puts it, in millimetres
+    #[arg(long, value_name = "MM", default_value = "0.000001", value_parser = delta)]
+    delta: f64,
+
+    /// Write the counts, failures and smallest counterexamples to a JSON file
+    #[arg(long, value_name = "FILE.json")]
+    report: Option<PathBuf>,
+
+    /// Write each smallest counterexample into this folder, as a program with its tool table
+    #[arg(long, value_name = "FOLDER")]
+    counterexamples: Option<PathBuf>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  radcomp certify builtin --profile yasnac-lx --level 1
+  radcomp certify builtin --profile my-control.toml --level 2 --seed 20 --report report.json
+
+Exit status: 0 no red verdict; 1 red verdicts; 2 wrong usage or input.";
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum GradeName {
+    /// 2^-40 times the largest number of the program
+    Binary64,
+    /// Half the least input increment
+    Resolution,
+}
+
+fn delta(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "a decimal number of millimetres".to_owned())?;
+    if value.is_finite() && value > 0.0 { Ok(value) } else { Err("a length greater than 0".to_owned()) }
+}
+
+/// How many failed programs get a line of their own.
+const MOST_LINES: usize = 20;
+
+impl Certify {
+    /// Runs the campaign.
+    pub fn execute(self) -> Result<Verdict, Failure> {
+        let campaign = self.campaign()?;
+        let mut out = terminal::output();
+        writeln!(out, "certify {}, profile {}, level {}", self.device, campaign.profile.name, self.level)?;
+        let grade = match campaign.budget.grade {
+            Grade::Binary64 => "binary64, β = 2⁻⁴⁰ × the largest number of each program",
+            Grade::Resolution => "resolution, β = half the least input increment",
+        };
+        writeln!(
+            out,
+            "seed {}, {} generated programs; {grade}; δ = {} mm",
+            campaign.seed, campaign.programs, campaign.budget.delta
+        )?;
+        out.flush()?;
+        let bar = progress_bar(campaign.programs);
+        let outcome = certify(&campaign, || Builtin, |done| bar.inc(done));
+        bar.finish_and_clear();
+        print(&mut out, &outcome, &campaign.profile)?;
+        out.flush()?;
+        if let Some(path) = &self.report {
+            let text = serde_json::to_string_pretty(&json(&self.device, &campaign, &outcome))
+                .map_err(|error| Failure::Input(error.to_string()))?;
+            write(path, &text)?;
+        }
+        if let Some(folder) = &self.counterexamples {
+            write_counterexamples(folder, &outcome, &campaign.profile)?;
+        }
+        Ok(if outcome.tally.red() == 0 { Verdict::Green } else { Verdict::Red })
+    }
+
+    fn campaign(&self) -> Result<Campaign, Failure> {
+        let profile = options::profile(&self.profile)?;
+        let least = if self.level == 1 { Level::One } else { Level::Two }.programs();
+        let programs = self.programs.unwrap_or(least);
+        if programs < least {
+            let level = self.level;
+            return Err(Failure::Input(format!(
+                "level {level} judges at least {least} programs; --programs can only raise that"
+            )));
+        }
+        let increment = profile.machine.least_increment;
+        Ok(Campaign {
+            seed: self.seed,
+            programs,
+            budget: Budget {
+                grade: match self.grade {
+                    GradeName::Binary64 => Grade::Binary64,
+                    GradeName::Resolution => Grade::Resolution,
+                },
+                least_increment: f64::from(increment.numerator) / f64::from(increment.denominator),
+                delta: self.delta,
+            },
+            threads: self.jobs.unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from)).clamp(1, 256),
+            profile,
+        })
+    }
+}
+
+fn progress_bar(programs: u64) -> ProgressBar {
+    let bar = ProgressBar::new(programs);
+    if !std::io::stderr().is_terminal() {
+        bar.set_draw_target(ProgressDrawTarget::hidden());
+    }
+    // The template is a constant of the form that indicatif documents.
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} programs, {per_sec}, {eta} left") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+fn print(out: &mut dyn Write, outcome: &Outcome, profile: &Profile) -> Result<(), Failure> {
+    for failure in outcome.failures.iter().take(MOST_LINES) {
+        writeln!(out, "{} {failure}", terminal::bold("FAIL"))?;
+    }
+    let red = outcome.tally.red();
+    if red > MOST_LINES as u64 {
+        writeln!(out, "… and {} more failed programs", red - MOST_LINES as u64)?;
+    }
+    for (name, count, smallest) in outcome.groups.iter().take(8) {
+        counterexample(out, name, *count, smallest, profile)?;
+    }
+    writeln!(out)?;
+    writeln!(
+        out,
+        "{:<15}{:>10}{:>10}{:>11}{:>8}{:>10}{:>8}",
+        "clause", "programs", "elements", "decisions", "alarms", "passed", "failed"
+    )?;
+    for (id, tally) in &outcome.tally.clauses {
+        writeln!(
+            out,
+            "{id:<15}{:>10}{:>10}{:>11}{:>8}{:>10}{:>8}",
+            tally.programs, tally.elements, tally.decisions, tally.alarms, tally.passed, tally.failed
+        )?;
+    }
+    writeln!(out)?;
+    writeln!(out, "{:<18}{:>10}{:>10}{:>10}", "decision", "negative", "zero", "positive")?;
+    for (id, [negative, zero, positive]) in &outcome.tally.decisions {
+        writeln!(out, "{id:<18}{negative:>10}{zero:>10}{positive:>10}")?;
+    }
+    let missing: Vec<_> =
+        outcome.tally.one_sided().iter().map(|(kind, side)| format!("{} ({side})", kind.id())).collect();
+    if !missing.is_empty() {
+        writeln!(out, "not exercised: {}", missing.join(", "))?;
+    }
+    writeln!(out)?;
+    let tally = &outcome.tally;
+    writeln!(out, "{} programs, {} blocks, {} corners", tally.programs, tally.blocks, tally.corners)?;
+    for (verdict, count) in &tally.verdicts {
+        let note = if *verdict == "admissible" { " (another branch within the band; no witness constructed)" } else { "" };
+        writeln!(out, "  {verdict}: {count}{note}")?;
+    }
+    let verdict = if red == 0 { "PASS" } else { "RED" };
+    writeln!(out, "{}", terminal::bold(verdict))?;
+    Ok(())
+}
+
+fn counterexample(
+    out: &mut dyn Write,
+    name: &str,
+    count: u64,
+    smallest: &Failed,
+    profile: &Profile,
+) -> Result<(), Failure> {
+    writeln!(out)?;
+    writeln!(out, "{} {name}: {count} programs; smallest, from {}:", terminal::bold("CAUSE"), smallest.name)?;
+    writeln!(out, "  {smallest}")?;
+    if let Judgement::Inadmissible(divergence) | Judgement::ForkLimit(divergence) = &smallest.verdict {
+        writeln!(out, "  [{}] {}", divergence.clause, first_sentence(divergence.clause))?;
+    }
+    match smallest.listing(profile) {
+        Ok(listing) => {
+            for line in listing.program.lines() {
+                writeln!(out, "    {line}")?;
+            }
+            for line in listing.tool_table.lines().filter(|line| !line.is_empty()) {
+                writeln!(out, "    ; tools: {line}")?;
+            }
+        }
+        Err(reason) => writeln!(out, "    (no G-code for it: {reason})")?,
+    }
+    Ok(())
+}
+
+fn json(device: &str, campaign: &Campaign, outcome: &Outcome) -> serde_json::Value {
+    let listing = |failure: &Failed| failure.listing(&campaign.profile).ok();
+    serde_json::json!({
+        "radcomp": env!("CARGO_PKG_VERSION"),
+        "device": device,
+        "profile": campaign.profile.name,
+        "seed": campaign.seed,
+        "generated_programs": campaign.programs,
+        "delta_mm": campaign.budget.delta,
+        "grade": match campaign.budget.grade { Grade::Binary64 => "binary64", Grade::Resolution => "resolution" },
+        "red": outcome.tally.red(),
+        "tally": outcome.tally,
+        "failures": outcome.failures.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "causes": outcome.groups.iter().map(|(name, count, smallest)| serde_json::json!({
+            "cause": name,
+            "programs": count,
+            "smallest": smallest.to_string(),
+            "program": listing(smallest).map(|listing| listing.program),
+            "tools": listing(smallest).map(|listing| listing.tool_table),
+        })).collect::<Vec<_>>(),
+    })
+}
+
+fn write_counterexamples(folder: &Path, outcome: &Outcome, profile: &Profile) -> Result<(), Failure> {
+    fs::create_dir_all(folder)
+        .map_err(|reason| Failure::Input(format!("{} cannot be made: {reason}", folder.display())))?;
+    for (index, (_, _, smallest)) in outcome.groups.iter().enumerate() {
+        if let Ok(listing) = smallest.listing(profile) {
+            write(&folder.join(format!("{}.nc", index + 1)), &listing.program)?;
+            write(&folder.join(format!("{}.tools.toml", index + 1)), &listing.tool_table)?;
+        }
+    }
+    Ok(())
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    fs::write(path, text)
+        .map_err(|reason| Failure::Input(format!("{} cannot be written: {reason}", path.display())))
+}

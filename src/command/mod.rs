@@ -1,0 +1,75 @@
+//! The command line: one file for each subcommand.
+
+mod alarm;
+mod certify;
+mod clause;
+mod completions;
+mod explain;
+mod failure;
+mod ledger;
+mod nearest;
+mod options;
+mod plot;
+mod profiles;
+mod program;
+mod run;
+mod terminal;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use failure::{Failure, Verdict};
+
+/// Where the tool goes when a CNC control compensates for its radius, exactly.
+#[derive(Debug, Parser)]
+#[command(name = "radcomp", version, about, max_term_width = 100, arg_required_else_help = true, after_help = EXAMPLES)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  radcomp run examples/first.nc --profile seed-mill --tools examples/tools.toml
+  radcomp explain examples/first.nc --profile seed-mill --tools examples/tools.toml --block 40
+  radcomp plot examples/first.nc --profile seed-mill --tools examples/tools.toml -o first.svg
+  radcomp certify builtin --profile yasnac-lx --level 1
+  radcomp profiles yasnac-lx
+  radcomp clause TRC-CORNER-08
+
+Exit status: 0 all is well; 1 an alarm or a red verdict; 2 wrong usage or input.";
+
+// A subcommand is one variant here and one file beside this one.
+#[derive(Debug, Subcommand)]
+enum Command {
+    Run(run::Run),
+    Explain(explain::Explain),
+    Plot(plot::Plot),
+    Profiles(profiles::Profiles),
+    Certify(certify::Certify),
+    Clause(clause::Clauses),
+    Completions(completions::Completions),
+}
+
+/// Runs the command that the arguments ask for.
+pub fn main() -> ExitCode {
+    let result = match Arguments::parse().command {
+        Command::Run(command) => command.execute(),
+        Command::Explain(command) => command.execute(),
+        Command::Plot(command) => command.execute(),
+        Command::Profiles(command) => command.execute(),
+        Command::Certify(command) => command.execute(),
+        Command::Clause(command) => command.execute(),
+        Command::Completions(command) => command.execute(),
+    };
+    match result {
+        Ok(Verdict::Green) => ExitCode::SUCCESS,
+        Ok(Verdict::Red) => ExitCode::from(1),
+        Err(Failure::Output(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure.report();
+            ExitCode::from(2)
+        }
+    }
+}

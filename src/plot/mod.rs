@@ -1,0 +1,14 @@
+//! A picture of a program: the programmed contour, the path of the tool's centre, the tool at its vectors.
+//!
+//! Coordinates are drawn as doubles; nothing is decided here.
+
+mod draw;
+mod frame;
+mod labels;
+mod legend;
+mod piece;
+mod scene;
+
+pub use draw::svg;
+pub use piece::{Form, Piece, Trace};
+pub use scene::{Mark, MarkKind, Scene};

@@ -1,0 +1,288 @@
+//! Motions of the whole program commute exactly with the model: translation, mirroring with the sides swapped,
+//! scaling by ten, rotation by a Pythagorean angle, and reversal with the sides swapped.
+
+use proptest::prelude::*;
+use radcomp::generate::{self, Reach};
+use radcomp_model::number::Real;
+use radcomp_model::{Run, run};
+use radcomp_spec::parameters::Parameters;
+use radcomp_spec::profile::{BUILTIN, Profile};
+use radcomp_spec::{Block, Centre, Compensation, Movement, Segment, Side};
+use rug::Rational;
+
+/// A similarity of the plane: `p ↦ matrix·p + shift`, which may turn the sense of arcs around.
+struct Motion {
+    matrix: [[Rational; 2]; 2],
+    shift: [Rational; 2],
+    scale: u32,
+    mirrors: bool,
+}
+
+impl Motion {
+    fn vector(&self, [a, b]: &[Rational; 2]) -> [Rational; 2] {
+        self.matrix.each_ref().map(|row| Rational::from(&row[0] * a) + Rational::from(&row[1] * b))
+    }
+
+    fn point(&self, point: &[Rational; 2]) -> [Rational; 2] {
+        let [a, b] = self.vector(point);
+        [a + &self.shift[0], b + &self.shift[1]]
+    }
+
+    fn exact(&self, [a, b]: &[Real; 2]) -> [Real; 2] {
+        let of = |row: usize| {
+            &(Real::from(&self.matrix[row][0]) * a) + &(Real::from(&self.matrix[row][1]) * b)
+                + Real::from(&self.shift[row])
+        };
+        [of(0), of(1)]
+    }
+
+    fn block(&self, block: &Block<Rational>) -> Block<Rational> {
+        let movement = match &block.movement {
+            Movement::None => Movement::None,
+            Movement::Line { end } => Movement::Line { end: self.point(end) },
+            Movement::Dummy { vector } => Movement::Dummy { vector: self.vector(vector) },
+            Movement::Arc { end, centre, direction } => Movement::Arc {
+                end: self.point(end),
+                centre: match centre {
+                    Centre::FromStart(vector) => Centre::FromStart(self.vector(vector)),
+                    Centre::Radius(radius) => Centre::Radius(Rational::from(radius * self.scale)),
+                },
+                direction: if self.mirrors { direction.reversed() } else { *direction },
+            },
+        };
+        let compensation = block.compensation.map(|code| match code {
+            Compensation::On(side) if self.mirrors => Compensation::On(side.other()),
+            code => code,
+        });
+        let radius = block.radius.as_ref().map(|radius| Rational::from(radius * self.scale));
+        Block { movement, compensation, radius, ..block.clone() }
+    }
+
+    fn run(&self, run: &Run) -> Vec<(usize, &'static str, Segment<Real>)> {
+        run.steps
+            .iter()
+            .map(|step| {
+                let segment = match &step.segment {
+                    Segment::Hold => Segment::Hold,
+                    Segment::Line { end } => Segment::Line { end: self.exact(end) },
+                    Segment::Arc { end, centre, direction, full } => Segment::Arc {
+                        end: self.exact(end),
+                        centre: self.exact(centre),
+                        direction: if self.mirrors { direction.reversed() } else { *direction },
+                        full: *full,
+                    },
+                };
+                (step.block, step.clause.id(), segment)
+            })
+            .collect()
+    }
+}
+
+fn rational(numerator: i64, denominator: i64) -> Rational {
+    Rational::from((numerator, denominator))
+}
+
+/// A profile by its place in the list, and a generated program of it that begins away from the origin.
+fn program(profile: usize, seed: u64) -> (Parameters, Vec<Block<Rational>>) {
+    let profile = Profile::builtin(BUILTIN[profile % BUILTIN.len()].0).expect("built in");
+    let mut blocks = vec![Block::moving(Movement::Line { end: [rational(777, 10), rational(-333, 10)] })];
+    blocks.extend(generate::program(seed, seed >> 7, Reach::of(&profile)));
+    (profile.parameters, blocks)
+}
+
+fn commutes(parameters: &Parameters, blocks: &[Block<Rational>], motion: &Motion) -> Result<(), TestCaseError> {
+    let moved: Vec<_> = blocks.iter().map(|block| motion.block(block)).collect();
+    let mut scaled = *parameters;
+    scaled.arc_end_tolerance.numerator *= motion.scale;
+    let (before, after) = (run(parameters, blocks), run(&scaled, &moved));
+    prop_assert_eq!(before.alarm, after.alarm);
+    let plain: Vec<_> =
+        after.steps.iter().map(|step| (step.block, step.clause.id(), step.segment.clone())).collect();
+    prop_assert_eq!(motion.run(&before), plain);
+    prop_assert_eq!(before.decisions.len(), after.decisions.len());
+    for ((one, _), (other, _)) in before.decisions.iter().zip(&after.decisions) {
+        prop_assert_eq!(one.exact, other.exact);
+        prop_assert_eq!(&one.margin * &Real::integer(motion.scale.into()), other.margin.clone());
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn translation_commutes(profile in 0_usize..3, seed: u64, a in -100_000_i64..100_000, b in -100_000_i64..100_000) {
+        let (parameters, blocks) = program(profile, seed);
+        let identity = [[rational(1, 1), rational(0, 1)], [rational(0, 1), rational(1, 1)]];
+        let shift = [rational(a, 1000), rational(b, 1000)];
+        commutes(&parameters, &blocks, &Motion { matrix: identity, shift, scale: 1, mirrors: false })?;
+    }
+
+    #[test]
+    fn mirroring_swaps_the_sides(profile in 0_usize..3, seed: u64) {
+        let (parameters, blocks) = program(profile, seed);
+        let matrix = [[rational(-1, 1), rational(0, 1)], [rational(0, 1), rational(1, 1)]];
+        let shift = [rational(0, 1), rational(0, 1)];
+        commutes(&parameters, &blocks, &Motion { matrix, shift, scale: 1, mirrors: true })?;
+    }
+
+    #[test]
+    fn scaling_by_ten_commutes(profile in 0_usize..3, seed: u64) {
+        let (parameters, blocks) = program(profile, seed);
+        let matrix = [[rational(10, 1), rational(0, 1)], [rational(0, 1), rational(10, 1)]];
+        let shift = [rational(0, 1), rational(0, 1)];
+        commutes(&parameters, &blocks, &Motion { matrix, shift, scale: 10, mirrors: false })?;
+    }
+
+    #[test]
+    fn rotation_by_a_pythagorean_angle_commutes(profile in 0_usize..3, seed: u64, which in 0_usize..3) {
+        let (cosine, sine) = [
+            (rational(3, 5), rational(4, 5)),
+            (rational(-5, 13), rational(12, 13)),
+            (rational(0, 1), rational(-1, 1)),
+        ][which].clone();
+        let (parameters, blocks) = program(profile, seed);
+        let matrix = [[cosine.clone(), Rational::from(-&sine)], [sine, cosine]];
+        let shift = [rational(0, 1), rational(0, 1)];
+        commutes(&parameters, &blocks, &Motion { matrix, shift, scale: 1, mirrors: false })?;
+    }
+
+    #[test]
+    fn reversal_swaps_the_sides(profile in 0_usize..3, seed: u64) {
+        let (parameters, blocks) = program(profile, seed);
+        reverses(&parameters, &blocks)?;
+    }
+}
+
+/// A contour of one run in offset mode: start, and each move with its side.
+struct Contour {
+    start: [Rational; 2],
+    moves: Vec<(Movement<Rational>, Side)>,
+    radius: Rational,
+}
+
+impl Contour {
+    /// The moves of a generated program, every one of them compensated.
+    fn of(blocks: &[Block<Rational>]) -> Option<Self> {
+        let mut side = Side::Left;
+        let mut radius = rational(0, 1);
+        let mut at = [rational(0, 1), rational(0, 1)];
+        let mut contour = Contour { start: at.clone(), moves: Vec::new(), radius: radius.clone() };
+        for block in blocks {
+            if let Some(Compensation::On(new)) = block.compensation {
+                side = new;
+            }
+            if let Some(new) = &block.radius {
+                radius = new.clone();
+            }
+            let (Movement::Line { end } | Movement::Arc { end, .. }) = &block.movement else { continue };
+            let still = matches!(block.movement, Movement::Line { .. }) && *end == at;
+            if !still {
+                contour.moves.push((block.movement.clone(), side));
+                at = end.clone();
+            }
+        }
+        contour.radius = radius;
+        (contour.moves.len() > 1).then_some(contour)
+    }
+
+    fn end(&self) -> [Rational; 2] {
+        match self.moves.last() {
+            Some((Movement::Line { end } | Movement::Arc { end, .. }, _)) => end.clone(),
+            _ => self.start.clone(),
+        }
+    }
+
+    fn reversed(&self) -> Contour {
+        let mut moves = Vec::new();
+        let mut at = self.start.clone();
+        for (movement, side) in &self.moves {
+            let back = match movement {
+                Movement::Arc { end, centre, direction } => {
+                    let centre = match centre {
+                        Centre::Radius(radius) => Centre::Radius(radius.clone()),
+                        Centre::FromStart([i, j]) => Centre::FromStart([
+                            Rational::from(&at[0] + i) - &end[0],
+                            Rational::from(&at[1] + j) - &end[1],
+                        ]),
+                    };
+                    Movement::Arc { end: at.clone(), centre, direction: direction.reversed() }
+                }
+                _ => Movement::Line { end: at.clone() },
+            };
+            moves.push((back, side.other()));
+            if let Movement::Line { end } | Movement::Arc { end, .. } = movement {
+                at = end.clone();
+            }
+        }
+        moves.reverse();
+        Contour { start: self.end(), moves, radius: self.radius.clone() }
+    }
+
+    /// Approach, start-up to the contour's start, the contour, and cancel.
+    fn program(&self) -> Vec<Block<Rational>> {
+        let away = |point: &[Rational; 2]| [Rational::from(&point[0] - 5), Rational::from(&point[1] + 31)];
+        let on = |side| Some(Compensation::On(side));
+        let mut blocks = vec![
+            Block::moving(Movement::Line { end: away(&self.start) }),
+            Block {
+                compensation: on(self.moves[0].1),
+                radius: Some(self.radius.clone()),
+                ..Block::moving(Movement::Line { end: self.start.clone() })
+            },
+        ];
+        blocks.extend(
+            self.moves
+                .iter()
+                .map(|(movement, side)| Block { compensation: on(*side), ..Block::moving(movement.clone()) }),
+        );
+        blocks.push(Block {
+            compensation: Some(Compensation::Off),
+            ..Block::moving(Movement::Line { end: away(&self.end()) })
+        });
+        blocks
+    }
+}
+
+/// The compensated path: its points, and the move between each two.
+fn path(run: &Run) -> Vec<([Real; 2], Option<Segment<Real>>)> {
+    let steps: Vec<_> = run.steps.iter().filter(|step| step.segment != Segment::Hold).collect();
+    // The first step is the approach, the second the start-up, the last one the cancel.
+    let Some(inner) = steps.get(1..steps.len().saturating_sub(1)) else { return Vec::new() };
+    inner
+        .iter()
+        .map(|step| match &step.segment {
+            Segment::Line { end } | Segment::Arc { end, .. } => (end.clone(), Some(step.segment.clone())),
+            Segment::Hold => unreachable!("filtered out"),
+        })
+        .collect()
+}
+
+fn reverses(parameters: &Parameters, blocks: &[Block<Rational>]) -> Result<(), TestCaseError> {
+    let Some(contour) = Contour::of(blocks) else { return Ok(()) };
+    let (forth, back) = (run(parameters, &contour.program()), run(parameters, &contour.reversed().program()));
+    prop_assert_eq!(forth.alarm.is_some(), back.alarm.is_some(), "{:?} {:?}", forth.alarm, back.alarm);
+    if forth.alarm.is_some() {
+        return Ok(());
+    }
+    let (forth, back) = (path(&forth), path(&back));
+    prop_assert_eq!(forth.len(), back.len());
+    let count = forth.len();
+    for (index, (point, _)) in forth.iter().enumerate() {
+        prop_assert_eq!(point, &back[count - 1 - index].0);
+    }
+    // The move to point i + 1 is the reversed program's move to point i.
+    for index in 1..count {
+        let (one, other) = (&forth[index].1, &back[count - index].1);
+        let alike = match (one, other) {
+            (Some(Segment::Line { .. }), Some(Segment::Line { .. })) => true,
+            (
+                Some(Segment::Arc { centre: c1, direction: d1, full: f1, .. }),
+                Some(Segment::Arc { centre: c2, direction: d2, full: f2, .. }),
+            ) => c1 == c2 && *d1 == d2.reversed() && f1 == f2,
+            _ => false,
+        };
+        prop_assert!(alike, "{:?} {:?}", one, other);
+    }
+    Ok(())
+}
