@@ -33,7 +33,7 @@ impl Contour {
         Self::ring(vertices, |i| if i % 2 == 0 { 1.0 } else { -1.0 }, |_| 0.0)
     }
 
-    /// Arcs alone, two to the left and two to the right: tangent, convex and concave junctions.
+    /// Arcs alone, two to the left and two to the right: convex, concave and, but for the grid, tangent junctions.
     pub fn scallops(vertices: usize) -> Self {
         Self::ring(vertices, |_| 0.0, |i| if i % 4 < 2 { 0.25 } else { -0.25 })
     }

@@ -37,6 +37,15 @@ fn by_intersection(first: &Element, second: &Element, radius: f64, turn: Turn) -
         (_, false) => clause::TRC_CORNER_06,
     };
     let first_normal = first.end_vector(radius);
+    if !with_arc {
+        let beyond = |length: f64| first_normal + first.last * length;
+        return if acute {
+            let b = second.start_vector(radius) - second.first * radius;
+            Junction { first: beyond(radius), moves: Moves::to(clause, b), on_normals: true }
+        } else {
+            Junction::at(clause, beyond(radius * turn.half_tangent()), true)
+        };
+    }
     let mut path = Path { first: None, moves: Moves::none(clause) };
     if first.arc.is_some() {
         path.pass(first_normal);

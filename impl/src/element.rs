@@ -47,64 +47,57 @@ pub(crate) fn sigma(side: Side) -> f64 {
 }
 
 impl Element {
-    /// The line from `start` to another point.
-    #[inline(always)]
-    pub fn line(start: Vector, end: Vector, side: Side, block: usize, rapid: bool) -> Element {
-        let (along, length) = direction(end - start);
-        let scale = magnitude(start).max(magnitude(end));
-        let error = 1.0 + scale / length;
+    /// An element that no block has named yet.
+    pub fn unused() -> Element {
+        let zero = Vector::new(0.0, 0.0);
         Element {
-            start,
-            end,
-            first: along,
-            last: along,
-            side: sigma(side),
-            length,
-            first_error: error,
-            last_error: error,
-            scale,
-            arc: None,
-            block,
-            rapid,
-        }
-    }
-
-    /// A dummy block at `start`, whose vector is not zero: a straight move along it. [TRC-DUMMY-02]
-    pub fn dummy(start: Vector, vector: Vector, side: Side, block: usize) -> Element {
-        let (along, length) = direction(vector);
-        Element {
-            start,
-            end: start + vector,
-            first: along,
-            last: along,
-            side: sigma(side),
-            length,
-            // The vector is an input, not a difference of coordinates.
+            end: zero,
+            start: zero,
+            first: zero,
+            last: zero,
+            side: 1.0,
+            length: 0.0,
             first_error: 1.0,
             last_error: 1.0,
-            scale: magnitude(start).max(length),
+            scale: 0.0,
             arc: None,
-            block,
+            block: 0,
             rapid: false,
         }
     }
 
-    /// The arc from `start` to `end`.
-    #[inline]
-    pub fn arc(start: Vector, end: Vector, arc: Arc, side: Side, block: usize, rapid: bool) -> Element {
-        Element {
-            start,
-            end,
-            first: perp(arc.start_ray) * arc.sense,
-            last: perp(arc.end_ray) * arc.sense,
-            side: sigma(side),
-            length: 0.0,
-            first_error: arc.start_error,
-            last_error: arc.end_error,
-            scale: arc.scale,
-            arc: Some(arc),
-            block,
-            rapid,
+    /// Makes this the line to another point. Elements are made in place: a copy costs as much as their geometry.
+    #[inline(always)]
+    pub fn set_line(&mut self, start: Vector, end: Vector) {
+        let (along, length) = direction(end - start);
+        let scale = magnitude(start).max(magnitude(end));
+        self.set_straight(start, end, along, length, scale, 1.0 + scale / length);
+    }
+
+    /// Makes this a dummy block at `start`, whose vector is not zero: a straight move along it. [TRC-DUMMY-02]
+    pub fn set_dummy(&mut self, start: Vector, vector: Vector) {
+        let (along, length) = direction(vector);
+        // The vector is an input, not a difference of coordinates.
+        self.set_straight(start, start + vector, along, length, magnitude(start).max(length), 1.0);
+    }
+
+    #[inline(always)]
+    fn set_straight(&mut self, start: Vector, end: Vector, along: Vector, length: f64, scale: f64, error: f64) {
+        (self.start, self.end) = (start, end);
+        (self.first, self.last) = (along, along);
+        (self.length, self.scale) = (length, scale);
+        (self.first_error, self.last_error) = (error, error);
+        self.arc = None;
+    }
+
+    /// Makes this an arc between the two points; it is [`Element::arc`] already.
+    #[inline(always)]
+    pub fn set_arc(&mut self, start: Vector, end: Vector) {
+        if let Some(arc) = &self.arc {
+            (self.start, self.end) = (start, end);
+            (self.first, self.last) = (perp(arc.start_ray) * arc.sense, perp(arc.end_ray) * arc.sense);
+            (self.length, self.scale) = (0.0, arc.scale);
+            (self.first_error, self.last_error) = (arc.start_error, arc.end_error);
         }
     }
 

@@ -75,7 +75,7 @@ impl Engine {
     fn read(&mut self, block: &Block<f64>, sink: &mut impl Sink) -> Result<(), Alarm> {
         let index = self.blocks;
         self.blocks = index.wrapping_add(1);
-        let form = form(block, self.state.position, self.state.tolerance);
+        let form = form(block, &mut self.state);
         let (Form { kind, piece, end }, fault) = match form {
             Ok(form) => (form, None),
             Err(fault) => (Form { kind: Kind::Still, piece: Piece::Straight, end: self.state.position }, Some(fault)),
@@ -100,7 +100,7 @@ impl Engine {
     }
 }
 
-/// A block whose numbers are within range and whose arc exists.
+/// A block whose numbers are within range and whose arc exists, and is the next element's already.
 struct Form {
     kind: Kind,
     piece: Piece,
@@ -109,9 +109,10 @@ struct Form {
 
 /// [TRC-MODE-07], then [TRC-ARC-06], [TRC-ARC-02] and [TRC-ARC-03].
 #[inline(always)]
-fn form(block: &Block<f64>, start: Vector, tolerance: f64) -> Result<Form, AlarmKind> {
+fn form(block: &Block<f64>, state: &mut State) -> Result<Form, AlarmKind> {
+    let start = state.position;
     if let Some(radius) = block.radius
-        && !(radius >= 0.0 && radius <= MOST)
+        && !(0.0..=MOST).contains(&radius)
     {
         return Err(AlarmKind::OutOfRange);
     }
@@ -134,8 +135,9 @@ fn form(block: &Block<f64>, start: Vector, tolerance: f64) -> Result<Form, Alarm
                 radcomp_spec::Centre::FromStart(vector) => in_range(vector)?,
                 radcomp_spec::Centre::Radius(radius) => in_range([radius, 0.0])?,
             };
-            let arc = Arc::new(start, end, centre, *direction, tolerance)?;
-            Ok(Form { kind: Kind::Arc, piece: Piece::Arc(arc), end })
+            let tolerance = state.tolerance;
+            state.next().arc = Some(Arc::new(start, end, centre, *direction, tolerance)?);
+            Ok(Form { kind: Kind::Arc, piece: Piece::Arc, end })
         }
     }
 }

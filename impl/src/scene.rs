@@ -6,7 +6,7 @@ use radcomp_spec::parameters::{CornerOwner, ReversedPath};
 use radcomp_spec::{AlarmKind, Clause, Parameters, Segment, Side, Step, clause};
 
 use crate::arc_form::Arc;
-use crate::element::{Element, tool_fits};
+use crate::element::{Element, sigma, tool_fits};
 use crate::engine::Sink;
 use crate::geometry::{Begin, End, Geometry, Meeting};
 use crate::junction::{self, Junction, Moves, Rules};
@@ -31,14 +31,15 @@ pub(crate) struct State {
     pub radius_in_force: f64,
     /// The tool radius: the one in force in the start-up block. [TRC-MODE-03]
     radius: f64,
-    /// The pending element, when the look-ahead has one.
-    pending: Element,
+    /// The pending element, when the look-ahead has one, and the element read, while its junction is formed: they
+    /// change places instead of being copied.
+    elements: [Element; 2],
+    /// The second of them is the pending one.
+    second_pending: bool,
     /// The corner moves at its start that it owns. They are part of its block, which an alarm may keep from moving.
     lead: Moves,
     /// Its own move starts on its own normal. [TRC-ARC-07]
     lead_on_normal: bool,
-    /// The element read, while its junction is formed.
-    next: Element,
 }
 
 impl State {
@@ -46,7 +47,6 @@ impl State {
     pub fn new(parameters: &Parameters) -> State {
         let tolerance = parameters.arc_end_tolerance;
         let zero = Vector::new(0.0, 0.0);
-        let nothing = Element::dummy(zero, Vector::new(1.0, 0.0), Side::Left, 0);
         State {
             rules: Rules {
                 reversal: parameters.reversal,
@@ -60,11 +60,25 @@ impl State {
             tool: zero,
             radius_in_force: 0.0,
             radius: 0.0,
-            pending: nothing,
+            elements: [Element::unused(); 2],
+            second_pending: false,
             lead: Moves::none(clause::TRC_MODE_01),
             lead_on_normal: false,
-            next: nothing,
         }
+    }
+
+    /// The pending element and the one read.
+    #[inline(always)]
+    fn meeting(&self) -> (&Element, &Element) {
+        let [one, other] = &self.elements;
+        if self.second_pending { (other, one) } else { (one, other) }
+    }
+
+    /// Where the element read is put; its arc, if it is one, is there as soon as its form has been found sound.
+    #[inline(always)]
+    pub fn next(&mut self) -> &mut Element {
+        let [one, other] = &mut self.elements;
+        if self.second_pending { one } else { other }
     }
 }
 
@@ -75,8 +89,8 @@ pub(crate) enum Piece {
     Straight,
     /// Along the vector.
     Dummy(Vector),
-    /// The arc to the block's end.
-    Arc(Arc),
+    /// The arc of [`State::next`], to the block's end.
+    Arc,
 }
 
 /// The state, with the block read and the sink of the path.
@@ -93,21 +107,34 @@ pub(crate) struct Scene<'a, S> {
 }
 
 impl<S: Sink> Scene<'_, S> {
+    /// Completes the element read.
     #[inline(always)]
-    fn element(&self, side: Side) -> Element {
+    fn make(&mut self, side: Side) {
         let start = self.state.position;
+        let element = self.state.next();
         match self.piece {
-            Piece::Straight => Element::line(start, self.end, side, self.block, self.rapid),
-            Piece::Dummy(vector) => Element::dummy(start, vector, side, self.block),
-            Piece::Arc(arc) => Element::arc(start, self.end, arc, side, self.block, self.rapid),
+            Piece::Straight => element.set_line(start, self.end),
+            Piece::Dummy(vector) => element.set_dummy(start, vector),
+            Piece::Arc => element.set_arc(start, self.end),
         }
+        (element.side, element.block, element.rapid) = (sigma(side), self.block, self.rapid);
     }
+}
 
+/// The end of the path: where it goes on, and where its steps go.
+struct PathEnd<'a, S> {
+    tool: &'a mut Vector,
+    sink: &'a mut S,
+    block: usize,
+    rapid: bool,
+}
+
+impl<S: Sink> PathEnd<'_, S> {
     /// Emits corner moves of the block. Moves of no length are not made. [TRC-CORNER-12]
     #[inline(always)]
-    fn corner_moves(&mut self, moves: &Moves, block: usize, rapid: bool) {
+    fn corner_moves(&mut self, moves: &Moves) {
         for point in moves.points() {
-            if *point == self.state.tool {
+            if *point == *self.tool {
                 continue;
             }
             let end = (*point).into();
@@ -115,20 +142,25 @@ impl<S: Sink> Scene<'_, S> {
                 None => Segment::Line { end },
                 Some(direction) => Segment::Arc { end, centre: moves.centre.into(), direction, full: false },
             };
-            self.sink.step(Step { block, clause: moves.clause, rapid, main: false, segment });
-            self.state.tool = *point;
+            self.emit(moves.clause, false, segment);
+            *self.tool = *point;
         }
     }
 
     #[inline(always)]
-    fn own_move(&mut self, arc: Option<&Arc>, to: Vector, full: bool, step: (usize, bool, Clause)) {
-        let (block, rapid, clause) = step;
+    fn own_move(&mut self, arc: Option<&Arc>, to: Vector, full: bool, clause: Clause) {
+        let end = to.into();
         let segment = match arc {
-            None => Segment::Line { end: to.into() },
-            Some(arc) => Segment::Arc { end: to.into(), centre: arc.centre.into(), direction: arc.direction(), full },
+            None => Segment::Line { end },
+            Some(arc) => Segment::Arc { end, centre: arc.centre.into(), direction: arc.direction(), full },
         };
-        self.sink.step(Step { block, clause, rapid, main: true, segment });
-        self.state.tool = to;
+        self.emit(clause, true, segment);
+        *self.tool = to;
+    }
+
+    #[inline(always)]
+    fn emit(&mut self, clause: Clause, main: bool, segment: Segment<f64>) {
+        self.sink.step(Step { block: self.block, clause, rapid: self.rapid, main, segment });
     }
 }
 
@@ -137,28 +169,27 @@ impl<S: Sink> Geometry for Scene<'_, S> {
 
     #[inline(always)]
     fn tool_fits(&mut self, side: Side) -> bool {
-        match &self.piece {
-            Piece::Arc(arc) => tool_fits(arc, side, self.state.radius),
-            Piece::Straight | Piece::Dummy(_) => true,
-        }
+        let radius = self.state.radius;
+        self.state.next().arc.as_ref().is_none_or(|arc| tool_fits(arc, side, radius))
     }
 
     #[inline(always)]
     fn junction(&mut self, meeting: Meeting, side: Side) -> Result<Junction, AlarmKind> {
-        self.state.next = self.element(side);
-        let State { pending, next, radius, rules, .. } = &*self.state;
+        self.make(side);
+        let (pending, next) = self.state.meeting();
+        let (radius, rules) = (self.state.radius, self.state.rules);
         let junction = match meeting {
             // [TRC-START-02]
-            Meeting::StartUp => Junction::at(clause::TRC_START_02, next.start_vector(*radius), true),
-            Meeting::Corner => junction::corner(pending, next, *radius, *rules)?,
-            Meeting::SideChange => junction::change_of_side(pending, next, *radius, *rules),
+            Meeting::StartUp => Junction::at(clause::TRC_START_02, next.start_vector(radius), true),
+            Meeting::Corner => junction::corner(pending, next, radius, rules)?,
+            Meeting::SideChange => junction::change_of_side(pending, next, radius, rules),
         };
         if junction.is_finite() { Ok(junction) } else { Err(AlarmKind::OutOfRange) }
     }
 
     #[inline(always)]
     fn settle(&mut self, end: End<Junction>, start_up: bool) -> Result<(), AlarmKind> {
-        let pending = self.state.pending;
+        let (pending, _) = self.state.meeting();
         let junction = match end {
             End::Junction(junction) => junction,
             End::Normal(clause) => Junction::at(clause, pending.end_vector(self.state.radius), true),
@@ -168,23 +199,28 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         if !is_finite(to) {
             return Err(AlarmKind::OutOfRange);
         }
-        let lead = self.state.lead;
-        let arc = pending.arc.as_ref();
+        let (arc, lead) = (pending.arc.as_ref(), &self.state.lead);
         let full = arc.is_some_and(|arc| arc.full) && self.state.lead_on_normal && junction.on_normals;
         if self.state.reversed == ReversedPath::Alarm && !start_up {
             let from = lead.last().unwrap_or(self.state.tool);
-            if let Some(kind) = wedge::reversed(&pending, from, to, full) {
+            if let Some(kind) = wedge::reversed(pending, from, to, full) {
                 return Err(kind);
             }
         }
-        self.corner_moves(&lead, pending.block, pending.rapid);
-        self.own_move(arc, to, full, (pending.block, pending.rapid, junction.moves.clause));
-        self.state.lead.count = 0;
-        self.state.lead_on_normal = junction.on_normals;
-        match self.state.owner {
-            CornerOwner::Next => self.state.lead = junction.moves,
-            CornerOwner::Previous => self.corner_moves(&junction.moves, pending.block, pending.rapid),
+        let mut tool = self.state.tool;
+        let mut path = PathEnd { tool: &mut tool, sink: self.sink, block: pending.block, rapid: pending.rapid };
+        path.corner_moves(lead);
+        path.own_move(arc, to, full, junction.moves.clause);
+        let owner = self.state.owner;
+        if owner == CornerOwner::Previous {
+            path.corner_moves(&junction.moves);
         }
+        self.state.tool = tool;
+        self.state.lead.count = 0;
+        if owner == CornerOwner::Next && junction.moves.count > 0 {
+            self.state.lead = junction.moves;
+        }
+        self.state.lead_on_normal = junction.on_normals;
         Ok(())
     }
 
@@ -194,36 +230,38 @@ impl<S: Sink> Geometry for Scene<'_, S> {
     }
 
     fn dummy(&mut self) {
-        let lead = self.state.lead;
-        self.corner_moves(&lead, self.block, self.rapid);
-        self.state.lead.count = 0;
+        let State { tool, lead, .. } = &mut *self.state;
+        PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid }.corner_moves(lead);
+        lead.count = 0;
     }
 
     #[inline(always)]
     fn follow(&mut self, clause: Clause) {
-        let (to, step) = (self.end, (self.block, self.rapid, clause));
-        match self.piece {
-            Piece::Straight | Piece::Dummy(_) => self.own_move(None, to, false, step),
-            Piece::Arc(arc) => self.own_move(Some(&arc), to, arc.full, step),
-        }
+        let (_, next) = self.state.meeting();
+        let arc = next.arc.as_ref().filter(|_| matches!(self.piece, Piece::Arc));
+        let mut tool = self.state.tool;
+        let mut path = PathEnd { tool: &mut tool, sink: self.sink, block: self.block, rapid: self.rapid };
+        path.own_move(arc, self.end, arc.is_some_and(|arc| arc.full), clause);
+        self.state.tool = tool;
     }
 
     #[inline(always)]
     fn begin(&mut self, begin: Begin, side: Side) {
         match begin {
-            Begin::Junction => self.state.pending = self.state.next,
+            Begin::Junction => {}
             Begin::StartUp => {
+                self.make(side);
                 self.state.radius = self.state.radius_in_force;
-                self.state.pending = self.element(side);
                 self.state.lead.count = 0;
             }
             Begin::Settled => {
-                let element = self.element(side);
-                self.state.lead = line_in(&element, self.state.radius, self.state.tool);
+                self.make(side);
+                let (_, element) = self.state.meeting();
+                self.state.lead = line_in(element, self.state.radius, self.state.tool);
                 self.state.lead_on_normal = true;
-                self.state.pending = element;
             }
         }
+        self.state.second_pending = !self.state.second_pending;
     }
 }
 

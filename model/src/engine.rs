@@ -64,7 +64,6 @@ pub(crate) struct Pending {
     pub(crate) kind: PendingKind,
     pub(crate) element: Element,
     pub(crate) side: Side,
-    start_is_normal: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,7 +83,6 @@ impl Pending {
 struct Ending {
     clause: Clause,
     end: Vector,
-    is_normal: bool,
 }
 
 type Answer = Result<(), Stop>;
@@ -244,7 +242,7 @@ impl Engine {
         self.element_side = Some(side);
         self.position = element.end.clone();
         self.pending =
-            Some(Pending { block: number, rapid, kind: PendingKind::StartUp, element, side, start_is_normal: false });
+            Some(Pending { block: number, rapid, kind: PendingKind::StartUp, element, side });
         Ok(())
     }
 
@@ -263,24 +261,21 @@ impl Engine {
         if let Err(kind) = arc::tool_fits(&element, side, &self.radius, judgement) {
             return self.alarm(number, kind, judgement);
         }
-        let start_is_normal = if self.pending.is_some() {
+        if self.pending.is_some() {
             let junction = self.junction(number, &element, side, judgement)?;
-            let is_normal = junction.last_is_normal;
             self.pass(junction, number, rapid, clause::TRC_LOOK_02, judgement)?;
-            is_normal
         } else {
             if let Some(settled) = self.settled.take() {
                 look_ahead::advise(&settled, &element, side, &self.radius, judgement);
             }
             let resumed = look_ahead::resume(&self.tool, &element, side, &self.radius, judgement);
             self.corner_moves(&resumed, number, rapid, judgement);
-            resumed.last_is_normal
-        };
+        }
         self.start_up_side = None;
         self.element_side = Some(side);
         self.position = element.end.clone();
         self.pending =
-            Some(Pending { block: number, rapid, kind: PendingKind::Offset, element, side, start_is_normal });
+            Some(Pending { block: number, rapid, kind: PendingKind::Offset, element, side });
         Ok(())
     }
 
@@ -364,7 +359,7 @@ impl Engine {
     ) -> Answer {
         let owner = self.pending.as_ref().map_or((number, rapid), |pending| (pending.block, pending.rapid));
         let ending =
-            Ending { clause: junction.clause, end: junction.first.clone(), is_normal: junction.first_is_normal };
+            Ending { clause: junction.clause, end: junction.first.clone() };
         self.end_pending(ending, judgement)?;
         if next_owns(self.parameters.corner_owner) {
             self.execute_held(held, judgement);
@@ -385,9 +380,14 @@ impl Engine {
     /// Makes the pending block's own move to its end vector.
     fn end_pending(&mut self, ending: Ending, judgement: &mut Judgement<'_>) -> Answer {
         let Some(pending) = self.pending.take() else { return Ok(()) };
-        let whole_circle = matches!(pending.element.shape, Shape::Arc { full: true, .. })
-            && pending.start_is_normal
-            && ending.is_normal;
+        let whole_circle = pending.kind == PendingKind::Offset
+            && arc::whole_turn(
+                &pending.element,
+                pending.side,
+                &self.radius,
+                (&self.tool, &ending.end),
+                judgement,
+            );
         if pending.kind == PendingKind::Offset {
             let reading = core::mem::replace(&mut judgement.block, pending.block);
             let looked_at =
@@ -420,11 +420,11 @@ impl Engine {
             self.mode = Mode::Cancel;
             self.start_up_side = None;
             self.element_side = None;
-            Ending { clause: clause::TRC_START_04, end: pending.element.end.clone(), is_normal: false }
+            Ending { clause: clause::TRC_START_04, end: pending.element.end.clone() }
         } else {
             self.settled = Some(Settled::Lost { normal: unit });
             let clause = if start_up { clause::TRC_START_04 } else { clause };
-            Ending { clause, end: pending.own_normal(&self.radius), is_normal: true }
+            Ending { clause, end: pending.own_normal(&self.radius) }
         };
         self.end_pending(ending, judgement)?;
         self.execute_held(clause::TRC_LOOK_03, judgement);
@@ -445,7 +445,7 @@ impl Engine {
         }
         if let Some(pending) = &self.pending {
             let (clause, end) = cancel::end_before_cancel(pending, &self.radius, self.parameters.cancel);
-            self.end_pending(Ending { clause, end, is_normal: true }, judgement)?;
+            self.end_pending(Ending { clause, end }, judgement)?;
             self.execute_held(clause::TRC_LOOK_02, judgement);
         }
         self.code = None;
@@ -490,7 +490,7 @@ impl Engine {
     fn alarm(&mut self, block: usize, kind: AlarmKind, judgement: &mut Judgement<'_>) -> Answer {
         if let Some(pending) = &self.pending {
             let end = pending.own_normal(&self.radius);
-            self.end_pending(Ending { clause: clause::TRC_MODE_06, end, is_normal: true }, judgement)?;
+            self.end_pending(Ending { clause: clause::TRC_MODE_06, end }, judgement)?;
             self.execute_held(clause::TRC_LOOK_02, judgement);
         }
         Err(Stop::Alarm(Alarm { block, kind }))

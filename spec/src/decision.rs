@@ -44,6 +44,7 @@ decisions! {
     CentreDistance = "centre-distance", TRC_ARC_02, "distance of start or end from the arc's centre; zero is an alarm";
     ChordFits = "chord-fits", TRC_ARC_06, "programmed radius less half the chord; negative is an alarm";
     EndOnArc = "end-on-arc", TRC_ARC_03, "tolerance less the difference of the two radii; negative is an alarm";
+    WholeTurn = "whole-turn", TRC_ARC_07, "distance of the tool's start and end from the full circle's own normal; zero is a whole turn";
     ToolFitsArc = "tool-fits-arc", TRC_ARC_05, "arc radius less tool radius, tool inside; zero and negative are an alarm";
     CentresApart = "centres-apart", TRC_CORNER_05, "distance of the centres of two arcs; zero is no intersection";
     Turn = "turn", TRC_CORNER_01, "sine of the turn toward the tool's side times the shorter arm; positive is an inner corner";

@@ -195,7 +195,11 @@ fn print(out: &mut dyn Write, outcome: &Outcome, profile: &Profile) -> Result<()
     let tally = &outcome.tally;
     writeln!(out, "{} programs, {} blocks, {} corners", tally.programs, tally.blocks, tally.corners)?;
     for (verdict, count) in &tally.verdicts {
-        let note = if *verdict == "admissible" { " (another branch within the band; no witness constructed)" } else { "" };
+        let note = match *verdict {
+            "admissible" => " (the exact outcome of an input within β: a witness)",
+            "admissible-without-witness" => " (another branch within the band)",
+            _ => "",
+        };
         writeln!(out, "  {verdict}: {count}{note}")?;
     }
     let verdict = if red == 0 { "PASS" } else { "RED" };

@@ -30,11 +30,15 @@ pub fn in_words(decision: &Decision, corner: Corner) -> Option<String> {
         (DecisionKind::EndOnArc, Greater) => return None,
         (DecisionKind::EndOnArc, Equal) => "the two radii differ by exactly the tolerance".to_owned(),
         (DecisionKind::EndOnArc, Less) => "the two radii differ by more than the tolerance".to_owned(),
+        (DecisionKind::WholeTurn, Equal) => "the tool runs the full circle whole".to_owned(),
+        (DecisionKind::WholeTurn, _) => "the tool does not start and end at the full circle's own normal".to_owned(),
         (DecisionKind::ToolFitsArc, Greater) => "the tool fits inside the arc".to_owned(),
         (DecisionKind::ToolFitsArc, _) => "the tool does not fit inside the arc".to_owned(),
         (DecisionKind::CentresApart, Greater) => return None,
         (DecisionKind::CentresApart, _) => "the two arcs have one centre: their offsets do not meet".to_owned(),
-        (DecisionKind::Turn, Equal) if corner.side_change => "the two lines are parallel: no point touches both".to_owned(),
+        (DecisionKind::Turn, Equal) if corner.side_change => {
+            "the two lines are parallel: no point touches both".to_owned()
+        }
         // The decision on the right angle, which follows, tells which way.
         (DecisionKind::Turn, Equal) => return None,
         (DecisionKind::Turn, _) if corner.side_change => format!("the path turns{by} where the side changes"),
@@ -51,7 +55,9 @@ pub fn in_words(decision: &Decision, corner: Corner) -> Option<String> {
         (DecisionKind::ContactExists, Greater) => "the offset contours of the two sides cross".to_owned(),
         (DecisionKind::ContactExists, Equal) => "the offset contours of the two sides touch".to_owned(),
         (DecisionKind::ContactExists, Less) => "the offset contours of the two sides do not meet".to_owned(),
-        (DecisionKind::ContactWithin, Less) => "their common point lies farther than a radius from the block".to_owned(),
+        (DecisionKind::ContactWithin, Less) => {
+            "their common point lies farther than a radius from the block".to_owned()
+        }
         (DecisionKind::ContactWithin, _) => "their common point lies within a radius of the block".to_owned(),
         (DecisionKind::NearerContact, Equal) => "both common points are equally near: neither counts".to_owned(),
         (DecisionKind::NearerContact, _) => "of two common points the nearer one counts".to_owned(),

@@ -15,6 +15,6 @@ pub use axes::Axes;
 pub use coordinate::{Coordinate, trimmed};
 pub use decision::{Corner, in_words};
 pub use programmed::{Programmed, ProgrammedMove, Shape};
-pub use sentence::{first_sentence, wrapped};
 pub use section::Source;
+pub use sentence::{first_sentence, wrapped};
 pub use teller::{Choice, Teller};

@@ -51,7 +51,9 @@ impl Programmed {
         let start = doubles(&self.exact);
         let (end, shape) = match &block.movement {
             Movement::None => return None,
-            Movement::Dummy { vector } => return Some(ProgrammedMove { start, end: start, shape: Shape::Dummy(doubles(vector)) }),
+            Movement::Dummy { vector } => {
+                return Some(ProgrammedMove { start, end: start, shape: Shape::Dummy(doubles(vector)) });
+            }
             Movement::Line { end } if *end == self.exact => return None,
             Movement::Line { end } => (end, Shape::Line),
             Movement::Arc { end, centre, direction } => {

@@ -7,7 +7,8 @@ use radcomp_spec::catalogue::Catalogue;
 pub fn first_sentence(clause: Clause) -> String {
     let Some(text) = Catalogue::builtin().text_of(clause) else { return String::new() };
     let paragraph = text.text.split("\n\n").next().unwrap_or_default().replace('\n', " ");
-    let end = paragraph.match_indices(". ").map(|(place, _)| place).find(|place| starts_sentence(&paragraph[place + 2..]));
+    let end =
+        paragraph.match_indices(". ").map(|(place, _)| place).find(|place| starts_sentence(&paragraph[place + 2..]));
     match end {
         Some(end) => paragraph[..=end].to_owned(),
         None => paragraph,

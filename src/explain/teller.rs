@@ -155,9 +155,10 @@ impl<W: Write> Teller<W> {
         let corner = Corner {
             turn: last_heading.zip(next_heading).map(|(last, next)| turn(last, next)),
             side_change: section.side != side,
-            parallel: section.corner.iter().any(|(_, _, earlier)| {
-                earlier.kind == DecisionKind::Turn && earlier.exact == Ordering::Equal
-            }),
+            parallel: section
+                .corner
+                .iter()
+                .any(|(_, _, earlier)| earlier.kind == DecisionKind::Turn && earlier.exact == Ordering::Equal),
         };
         section.corner.push((line, corner, decision.clone()));
     }

@@ -10,6 +10,7 @@ mod compare;
 mod fork;
 mod stroke;
 mod verdict;
+mod witness;
 
 pub use budget::{Budget, Grade};
 pub use compare::{Difference, Divergence};

@@ -7,6 +7,7 @@ use rug::Rational;
 use super::budget::Budget;
 use super::compare::{self, Divergence};
 use super::fork::{self, Flip};
+use super::witness;
 use crate::device::{Device, DeviceFault};
 
 /// What the judge says of one answer.
@@ -14,6 +15,8 @@ use crate::device::{Device, DeviceFault};
 pub enum Verdict {
     /// The exact outcome, to within δ.
     Exact,
+    /// The exact outcome of this input, each number of which lies within β of the program's: the witness.
+    Witnessed(Vec<Block<Rational>>),
     /// An outcome that the band admits: these decisions went another way. No witness has been constructed.
     Admissible(Vec<Flip>),
     /// No admitted outcome.
@@ -27,14 +30,15 @@ pub enum Verdict {
 impl Verdict {
     /// Whether the device has failed on this program.
     pub fn is_red(&self) -> bool {
-        !matches!(self, Verdict::Exact | Verdict::Admissible(_))
+        !matches!(self, Verdict::Exact | Verdict::Witnessed(_) | Verdict::Admissible(_))
     }
 
     /// The name used in reports.
     pub fn id(&self) -> &'static str {
         match self {
             Verdict::Exact => "exact",
-            Verdict::Admissible(_) => "admissible",
+            Verdict::Witnessed(_) => "admissible",
+            Verdict::Admissible(_) => "admissible-without-witness",
             Verdict::Inadmissible(_) => "inadmissible",
             Verdict::ForkLimit(_) => "fork-limit",
             Verdict::Fault(DeviceFault::Crash(_)) => "crash",
@@ -67,6 +71,9 @@ pub fn judge(
         return Judged { verdict: Verdict::Exact, exact };
     };
     let beta = budget.beta(blocks);
+    if let Some(input) = witness::construct(parameters, blocks, &exact, &answer, beta, budget.delta) {
+        return Judged { verdict: Verdict::Witnessed(input), exact };
+    }
     let verdict = match fork::find(parameters, blocks, beta, |run| {
         compare::divergence(run, &answer, budget.delta).is_none()
     }) {

@@ -34,8 +34,7 @@ impl Labels {
         for distance in [8.0, 16.0, 26.0, 40.0] {
             for direction in 0..12 {
                 let (sine, cosine) = (f64::from(direction) * std::f64::consts::TAU / 12.0).sin_cos();
-                let middle =
-                    [point[0] + cosine * (distance + half[0]), point[1] + sine * (distance + half[1])];
+                let middle = [point[0] + cosine * (distance + half[0]), point[1] + sine * (distance + half[1])];
                 let cost = self.cost(Rectangle::about(middle, half)) + distance / 20.0;
                 if cost < best.0 {
                     best = (cost, middle);
@@ -57,10 +56,7 @@ impl Labels {
 
 impl Rectangle {
     fn about(middle: Point<f64>, half: Point<f64>) -> Self {
-        Rectangle {
-            low: [middle[0] - half[0], middle[1] - half[1]],
-            high: [middle[0] + half[0], middle[1] + half[1]],
-        }
+        Rectangle { low: [middle[0] - half[0], middle[1] - half[1]], high: [middle[0] + half[0], middle[1] + half[1]] }
     }
 
     fn holds(&self, point: Point<f64>) -> bool {

@@ -31,9 +31,8 @@ pub(super) fn legend(mut document: Document, scene: &Scene, frame: &Frame, notes
                 let line = Line::new().set("x1", x).set("y1", y).set("x2", x + 36.0).set("y2", y);
                 document.add(line.set("style", style(trace)))
             }
-            Entry::Tool => document.add(
-                Circle::new().set("cx", x + 18.0).set("cy", y).set("r", 8.0).set("style", super::draw::TOOL),
-            ),
+            Entry::Tool => document
+                .add(Circle::new().set("cx", x + 18.0).set("cy", y).set("r", 8.0).set("style", super::draw::TOOL)),
             Entry::Start => document.add(dot(x + 18.0, y)),
             Entry::Mark(kind) => document.add(mark(x + 18.0, y, kind)),
         };
@@ -106,9 +105,7 @@ pub(super) fn scale_and_axes(document: Document, scene: &Scene, frame: &Frame) -
     let (left, right) = (WIDTH - 40.0 - frame.length(length), WIDTH - 40.0);
     let bar = format!("M{left:.1} {:.1} v8 M{right:.1} {:.1} v8 M{left:.1} {y:.1} H{right:.1}", y - 4.0, y - 4.0);
     let (x, floor) = (44.0, frame.bottom - 24.0);
-    let arrows = format!(
-        "M{x:.1} {floor:.1} h32 m-6 -4 l6 4 l-6 4 M{x:.1} {floor:.1} v-32 m-4 6 l4 -6 l4 6"
-    );
+    let arrows = format!("M{x:.1} {floor:.1} h32 m-6 -4 l6 4 l-6 4 M{x:.1} {floor:.1} v-32 m-4 6 l4 -6 l4 6");
     let [first, second] = scene.axes.letters();
     let thin = format!("fill:none;stroke:{INK};stroke-width:1.2");
     document

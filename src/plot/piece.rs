@@ -86,7 +86,8 @@ impl Piece {
 
     /// The point at a part of its length from 0 to 1, and the heading there in radians.
     pub fn at(&self, part: f64) -> (Point<f64>, f64) {
-        if let (Some((from, sweep)), Some(radius), Form::Arc { centre, .. }) = (self.sweep(), self.radius(), self.form) {
+        if let (Some((from, sweep)), Some(radius), Form::Arc { centre, .. }) = (self.sweep(), self.radius(), self.form)
+        {
             let angle = from + sweep * part;
             let quarter = std::f64::consts::FRAC_PI_2.copysign(sweep);
             return ([centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()], angle + quarter);
@@ -98,7 +99,8 @@ impl Piece {
     /// Its ends, and of an arc the points that are outermost along an axis.
     pub fn extremes(&self) -> Vec<Point<f64>> {
         let mut points = vec![self.start, self.end];
-        if let (Some((from, sweep)), Some(radius), Form::Arc { centre, .. }) = (self.sweep(), self.radius(), self.form) {
+        if let (Some((from, sweep)), Some(radius), Form::Arc { centre, .. }) = (self.sweep(), self.radius(), self.form)
+        {
             for quarter in 0..4 {
                 let angle = f64::from(quarter) * TAU / 4.0;
                 let ahead = if sweep < 0.0 { (from - angle).rem_euclid(TAU) } else { (angle - from).rem_euclid(TAU) };

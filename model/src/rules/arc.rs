@@ -9,7 +9,7 @@ use rug::Rational;
 use super::mode;
 use crate::decision::Judgement;
 use crate::element::{Element, Shape, tool_inside};
-use crate::geometry::{Vector, smaller};
+use crate::geometry::{Vector, larger, smaller};
 use crate::number::Real;
 
 /// The arc that a block programs, or the alarm of its form.
@@ -77,6 +77,23 @@ fn centre_from_radius(
     let left = (radius.sign() != Ordering::Less) == (sense == Direction::Counterclockwise);
     let height = if left { height } else { -height };
     Ok(start.along(chord, &half).along(&chord.perp(), &height))
+}
+
+/// [TRC-ARC-07] whether the tool runs a full circle whole: it starts and ends at the circle's own normal.
+pub(crate) fn whole_turn(
+    element: &Element,
+    side: Side,
+    radius: &Real,
+    (start, end): (&Vector, &Vector),
+    judgement: &mut Judgement<'_>,
+) -> bool {
+    let Shape::Arc { full: true, .. } = element.shape else { return false };
+    let from_normal = |at: &Vector, normal: Vector| at.minus(&normal).length();
+    let off = larger(
+        &from_normal(start, element.first_arm().normal(side, radius)),
+        &from_normal(end, element.last_arm().normal(side, radius)),
+    );
+    judgement.decide(DecisionKind::WholeTurn, &off, off.clone()) == Ordering::Equal
 }
 
 /// [TRC-ARC-05]

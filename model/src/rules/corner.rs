@@ -32,7 +32,7 @@ pub(crate) fn corner(
         Ordering::Less => outer(before, after, side, setting, false, judgement),
         Ordering::Equal => match right_angle(before, after, judgement) {
             // [TRC-CORNER-02] the two normals are one.
-            Ordering::Greater => Ok(Junction::single(clause::TRC_CORNER_02, before.normal(side, setting.radius), true)),
+            Ordering::Greater => Ok(Junction::single(clause::TRC_CORNER_02, before.normal(side, setting.radius))),
             // [TRC-CORNER-09] exact reversal.
             Ordering::Less => match setting.parameters.reversal {
                 Reversal::Outer => outer(before, after, side, setting, true, judgement),
@@ -109,7 +109,7 @@ fn by_intersection(
     } else {
         clause::TRC_CORNER_06
     };
-    Ok(Junction::through(clause, vectors, (arc_before, arc_after)))
+    Ok(Junction::through(clause, vectors))
 }
 
 /// The intersection of the two offset tangents, `P + r·n(u1) - σ·r·tan(φ/2)·u1`: [TRC-CORNER-03] and [TRC-CORNER-06]
@@ -137,7 +137,7 @@ fn arc_corner(before: &Arm, after: &Arm, side: Side, radius: &Real) -> Junction 
             full: false,
         }]
     };
-    Junction { clause: clause::TRC_CORNER_10, first, first_is_normal: true, moves, last_is_normal: true }
+    Junction { clause: clause::TRC_CORNER_10, first, moves }
 }
 
 /// [TRC-WEDGE-01]

@@ -44,7 +44,7 @@ pub(crate) fn inner(
             (clause::TRC_CORNER_04, crossing.point(left).ok_or(Refused::Contradiction)?)
         }
     };
-    Ok(Junction::single(clause, vector, false))
+    Ok(Junction::single(clause, vector))
 }
 
 fn side_sign(side: Side) -> i8 {

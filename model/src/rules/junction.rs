@@ -17,12 +17,8 @@ pub(crate) struct Junction {
     pub(crate) clause: Clause,
     /// The vector that the element before ends on.
     pub(crate) first: Vector,
-    /// Whether that is the element's own normal ([TRC-ARC-07]).
-    pub(crate) first_is_normal: bool,
     /// The moves from there, none of zero length.
     pub(crate) moves: Vec<Segment<Real>>,
-    /// Whether the last vector, which the element after starts from, is that element's own normal.
-    pub(crate) last_is_normal: bool,
 }
 
 /// Why a junction has no vectors.
@@ -44,12 +40,12 @@ pub(crate) struct Setting<'a> {
 
 impl Junction {
     /// A junction with one vector.
-    pub(crate) fn single(clause: Clause, vector: Vector, is_normal: bool) -> Self {
-        Junction { clause, first: vector, first_is_normal: is_normal, moves: Vec::new(), last_is_normal: is_normal }
+    pub(crate) fn single(clause: Clause, vector: Vector) -> Self {
+        Junction { clause, first: vector, moves: Vec::new() }
     }
 
     /// A junction whose vectors are joined by straight moves; moves of no length are not made ([TRC-CORNER-12]).
-    pub(crate) fn through(clause: Clause, vectors: Vec<Vector>, normal_ends: (bool, bool)) -> Self {
+    pub(crate) fn through(clause: Clause, vectors: Vec<Vector>) -> Self {
         let mut vectors = vectors.into_iter();
         let first = vectors.next().unwrap_or_else(Vector::zero);
         let mut last = first.clone();
@@ -60,7 +56,7 @@ impl Junction {
                 last = vector;
             }
         }
-        Junction { clause, first, first_is_normal: normal_ends.0, moves, last_is_normal: normal_ends.1 }
+        Junction { clause, first, moves }
     }
 }
 

@@ -30,7 +30,7 @@ pub(crate) fn resume(
     judgement: &mut Judgement<'_>,
 ) -> Junction {
     match next.shape {
-        Shape::Line { .. } => Junction::single(clause::TRC_LOOK_04, tool.clone(), false),
+        Shape::Line { .. } => Junction::single(clause::TRC_LOOK_04, tool.clone()),
         Shape::Arc { .. } => {
             let normal = next.first_arm().normal(side, radius);
             let line_in = normal.minus(tool);
@@ -42,9 +42,7 @@ pub(crate) fn resume(
             Junction {
                 clause: clause::TRC_LOOK_05,
                 first: tool.clone(),
-                first_is_normal: false,
                 moves,
-                last_is_normal: true,
             }
         }
     }

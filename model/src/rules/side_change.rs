@@ -56,12 +56,12 @@ pub(crate) fn side_change(
             }
         }
         if let Some(point) = nearer(counting, &arm_before.point, judgement) {
-            return Ok(Junction::single(clause::TRC_SIDE_02, point, false));
+            return Ok(Junction::single(clause::TRC_SIDE_02, point));
         }
     }
     // [TRC-SIDE-03] the two normals, joined by a straight line.
     let vectors = vec![arm_before.normal(side_before, setting.radius), arm_after.normal(side_after, setting.radius)];
-    Ok(Junction::through(clause::TRC_SIDE_03, vectors, (true, true)))
+    Ok(Junction::through(clause::TRC_SIDE_03, vectors))
 }
 
 /// The points where the tool touches both contours, each on its own side ([TRC-SIDE-02]): at most two.

@@ -31,7 +31,8 @@ impl<N: Coordinate> Print<N> for Text {
             Segment::Line { end } => (self.columns(block, end), block.axes.closed_forms(end, self.digits)),
             Segment::Arc { end, centre, .. } => {
                 let about = format!("about {}", block.axes.words(centre, self.digits));
-                let forms = block.axes.closed_forms(end, self.digits).map_or(String::new(), |forms| format!("; {forms}"));
+                let forms =
+                    block.axes.closed_forms(end, self.digits).map_or(String::new(), |forms| format!("; {forms}"));
                 (self.columns(block, end), Some(about + &forms))
             }
         };
@@ -54,7 +55,9 @@ impl<N: Coordinate> Print<N> for Text {
         match ending {
             Ending::Complete => writeln!(out, "{blocks} blocks, {elements} path elements"),
             Ending::Alarm(_) => writeln!(out, "stopped at an alarm after {elements} path elements"),
-            Ending::Refused(_) => writeln!(out, "stopped at a line that cannot be read, {elements} path elements before it"),
+            Ending::Refused(_) => {
+                writeln!(out, "stopped at a line that cannot be read, {elements} path elements before it")
+            }
         }
     }
 }
@@ -62,9 +65,8 @@ impl<N: Coordinate> Print<N> for Text {
 impl Text {
     fn columns<N: Coordinate>(&self, block: &Placed, point: &Point<N>) -> String {
         let width = self.digits + 7;
-        let columns = block.axes.program(point).map(|(letter, value)| {
-            format!("{letter} {:>width$}", value.decimal(self.digits))
-        });
+        let columns =
+            block.axes.program(point).map(|(letter, value)| format!("{letter} {:>width$}", value.decimal(self.digits)));
         columns.join("   ") + "   "
     }
 }

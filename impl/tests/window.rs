@@ -1,0 +1,188 @@
+//! The look-ahead over all sequences of events: no block lost, doubled or out of order, never more held than allowed.
+
+mod common;
+
+use common::SEED_MILL;
+use radcomp_impl::geometry::{Begin, End, Event, Geometry, Kind, Meeting};
+use radcomp_impl::window::Window;
+use radcomp_spec::parameters::{SideChange, SideChangeAfterStartUp, StartUpLost};
+use radcomp_spec::{Alarm, AlarmKind, Clause, Compensation, Parameters, Side};
+
+/// Stands in for the geometry: answers as it is told, and watches the order of blocks.
+#[derive(Clone)]
+struct Watch {
+    /// The block whose own steps come next.
+    next: usize,
+    /// The block read.
+    read: usize,
+    pending: Option<usize>,
+    /// Answers that are to be bad: the tool fits, the junction, the settling.
+    bad: u8,
+}
+
+fn rapid(block: usize) -> bool {
+    block % 3 == 1
+}
+
+impl Watch {
+    fn emit(&mut self, block: usize) {
+        assert_eq!(block, self.next, "the order of blocks");
+        self.next += 1;
+    }
+}
+
+impl Geometry for Watch {
+    type Junction = ();
+
+    fn tool_fits(&mut self, _: Side) -> bool {
+        self.bad & 1 == 0
+    }
+
+    fn junction(&mut self, _: Meeting, _: Side) -> Result<(), AlarmKind> {
+        assert!(self.pending.is_some());
+        if self.bad & 2 == 0 { Ok(()) } else { Err(AlarmKind::NoIntersection) }
+    }
+
+    fn settle(&mut self, _: End<()>, _: bool) -> Result<(), AlarmKind> {
+        let pending = self.pending.take().expect("an element is pending");
+        assert_eq!(pending, self.next);
+        if self.bad & 4 == 0 {
+            self.emit(pending);
+            Ok(())
+        } else {
+            Err(AlarmKind::ReversedLine)
+        }
+    }
+
+    fn hold(&mut self, block: usize, is_rapid: bool, _: Clause) {
+        assert_eq!(is_rapid, rapid(block));
+        self.emit(block);
+    }
+
+    fn dummy(&mut self) {
+        assert_eq!(self.next, self.read, "a dummy block's corner moves come at its place");
+    }
+
+    fn follow(&mut self, _: Clause) {
+        self.emit(self.read);
+    }
+
+    fn begin(&mut self, _: Begin, _: Side) {
+        assert_eq!((self.pending, self.next), (None, self.read));
+        self.pending = Some(self.read);
+    }
+}
+
+fn events() -> Vec<Event> {
+    let sides = [Side::Left, Side::Right].map(|side| Some(Compensation::On(side)));
+    let codes = [None, Some(Compensation::Off), sides[0], sides[1]];
+    let kinds = [Kind::Still, Kind::Dummy, Kind::Line, Kind::Arc];
+    let all = codes.iter().flat_map(|code| kinds.map(|kind| (*code, kind)));
+    all.map(|(code, kind)| Event { kind, code, other_radius: false, rapid: false }).collect()
+}
+
+/// Everything before the alarm's block has been emitted, and nothing of it or after it.
+fn check_alarm(alarm: Alarm, watch: &Watch) {
+    assert_eq!(watch.next, alarm.block);
+    assert!(alarm.block <= watch.read);
+}
+
+fn explore(window: &Window, watch: &Watch, allowed: usize, depth: u32, events: &[Event], nodes: &mut u64) {
+    *nodes += 1;
+    assert!(window.held() <= 1 + allowed);
+    assert_eq!(watch.next + window.held(), watch.read, "every block is emitted or held");
+    for bad in [0, 4] {
+        let (mut window, mut watch) = (window.clone(), Watch { bad, ..watch.clone() });
+        match window.finish(&mut watch) {
+            Ok(()) => assert_eq!((watch.next, window.held()), (watch.read, 0)),
+            Err(alarm) => assert_eq!((watch.next, bad), (alarm.block, 4)),
+        }
+        let mut other = Watch { bad, ..watch.clone() };
+        if let Err(alarm) = window.fault(watch.read, AlarmKind::OutOfRange, &mut other) {
+            assert!(alarm.block <= watch.read);
+        }
+    }
+    if depth == 0 {
+        return;
+    }
+    for event in events {
+        let event = Event { rapid: rapid(watch.read), ..*event };
+        for bad in 0..8 {
+            for other_radius in [false, true] {
+                let (mut window, mut watch) = (window.clone(), Watch { bad, ..watch.clone() });
+                let block = watch.read;
+                match window.read(block, Event { other_radius, ..event }, &mut watch) {
+                    Err(alarm) => check_alarm(alarm, &watch),
+                    Ok(()) => {
+                        watch.read += 1;
+                        if bad == 0 && !other_radius {
+                            explore(&window, &watch, allowed, depth - 1, events, nodes);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn explore_all(parameters: &Parameters, depth: u32) {
+    let watch = Watch { next: 0, read: 0, pending: None, bad: 0 };
+    let mut nodes = 0;
+    let allowed = usize::from(parameters.non_moving_allowed);
+    explore(&Window::new(parameters), &watch, allowed, depth, &events(), &mut nodes);
+    println!("depth {depth}: {nodes} programs");
+    assert!(nodes > 1000);
+}
+
+#[test]
+fn all_sequences_of_every_policy() {
+    for start_up_lost in [StartUpLost::Normal, StartUpLost::NoVector] {
+        for non_moving_allowed in 0..=3 {
+            for side_change in [SideChange::Forbidden, SideChange::TwoNormals] {
+                for side_change_after_start_up in [SideChangeAfterStartUp::Alarm, SideChangeAfterStartUp::Allowed] {
+                    let parameters = Parameters {
+                        start_up_lost,
+                        non_moving_allowed,
+                        side_change,
+                        side_change_after_start_up,
+                        ..SEED_MILL
+                    };
+                    explore_all(&parameters, 4);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn all_sequences_of_six() {
+    for start_up_lost in [StartUpLost::Normal, StartUpLost::NoVector] {
+        let parameters = Parameters {
+            start_up_lost,
+            non_moving_allowed: 1,
+            side_change_after_start_up: SideChangeAfterStartUp::Allowed,
+            ..SEED_MILL
+        };
+        explore_all(&parameters, 6);
+    }
+}
+
+#[test]
+fn the_longest_run_is_held() {
+    let parameters = Parameters { non_moving_allowed: 8, ..SEED_MILL };
+    let mut window = Window::new(&parameters);
+    let mut watch = Watch { next: 0, read: 0, pending: None, bad: 0 };
+    let line =
+        Event { kind: Kind::Line, code: Some(Compensation::On(Side::Left)), other_radius: false, rapid: rapid(0) };
+    window.read(0, line, &mut watch).unwrap();
+    for block in 1..=8 {
+        watch.read = block;
+        let event = Event { kind: Kind::Still, code: None, other_radius: false, rapid: rapid(block) };
+        window.read(block, event, &mut watch).unwrap();
+        assert_eq!((window.held(), watch.next), (1 + block, 0));
+    }
+    watch.read = 9;
+    let event = Event { kind: Kind::Still, code: None, other_radius: false, rapid: rapid(9) };
+    window.read(9, event, &mut watch).unwrap();
+    assert_eq!((window.held(), watch.next), (0, 10));
+}

@@ -1,0 +1,113 @@
+//! Witnesses: inputs within the band whose exact outcome is the device's answer.
+//!
+//! Where a vector lies far from its corner, or two curves meet at a grazing angle, a change of the input far below the
+//! least increment moves it visibly. A device may stand on any such outcome; the judge says so only with the input in
+//! hand.
+
+use radcomp_model::{Run, run};
+use radcomp_spec::{Block, Centre, Movement, Parameters, Segment};
+use rug::Rational;
+
+use super::compare::{self, Difference};
+use crate::device::Answer;
+
+/// How often a witness is improved before the search is given up.
+const MOST_ROUNDS: usize = 6;
+
+/// Looks for an input within `beta` of `blocks`, number by number, whose exact outcome matches the answer to within
+/// `delta`. `exact` is the outcome of `blocks` itself. The search moves one number at a time, the one that brings the
+/// first divergent point nearest; it can miss a witness, never make one up.
+pub(crate) fn construct(
+    parameters: &Parameters,
+    blocks: &[Block<Rational>],
+    exact: &Run,
+    answer: &Answer,
+    beta: f64,
+    delta: f64,
+) -> Option<Vec<Block<Rational>>> {
+    let beta = Rational::from_f64(beta)?;
+    let mut best = blocks.to_vec();
+    let mut outcome = exact.clone();
+    for _ in 0..MOST_ROUNDS {
+        let divergence = compare::divergence(&outcome, answer, delta)?;
+        let Difference::End(_) = divergence.difference else { return None };
+        let (expected, observed) = (divergence.expected?, divergence.observed?);
+        let wanted = [observed.to[0] - expected.to[0], observed.to[1] - expected.to[1]];
+        let mut candidates = Vec::new();
+        for index in near(&best, divergence.block) {
+            for number in 0..numbers(&best[index]) {
+                let from = number_of(&blocks[index], number);
+                let moved = with(&best, index, number, Rational::from(&from + &beta));
+                let reached = end_nearest(&run(parameters, &moved), divergence.block, expected.to)?;
+                let by = [reached[0] - expected.to[0], reached[1] - expected.to[1]];
+                let square = by[0] * by[0] + by[1] * by[1];
+                if square == 0.0 {
+                    continue;
+                }
+                // How much of the step brings the point as near as this number can bring it.
+                let share = ((wanted[0] * by[0] + wanted[1] * by[1]) / square).clamp(-1.0, 1.0);
+                let left = (wanted[0] - share * by[0]).hypot(wanted[1] - share * by[1]);
+                candidates.push((left, index, number, from, share));
+            }
+        }
+        let (_, index, number, from, share) = candidates.into_iter().min_by(|x, y| x.0.total_cmp(&y.0))?;
+        let step = Rational::from(&beta * Rational::from_f64(share)?);
+        best = with(&best, index, number, from + step);
+        outcome = run(parameters, &best);
+        if compare::divergence(&outcome, answer, delta).is_none() {
+            return Some(best);
+        }
+    }
+    None
+}
+
+/// The blocks that a vector at this block's end depends on: the moving ones around it.
+fn near(blocks: &[Block<Rational>], block: usize) -> Vec<usize> {
+    let moving = |index: &usize| numbers(&blocks[*index]) > 0;
+    let before = (0..=block.min(blocks.len().saturating_sub(1))).rev().filter(moving).take(3);
+    let after = (block + 1..blocks.len()).filter(moving).take(2);
+    before.chain(after).collect()
+}
+
+/// How many numbers a block moves by.
+fn numbers(block: &Block<Rational>) -> usize {
+    match &block.movement {
+        Movement::None => 0,
+        Movement::Line { .. } | Movement::Dummy { .. } => 2,
+        Movement::Arc { centre: Centre::Radius(_), .. } => 3,
+        Movement::Arc { centre: Centre::FromStart(_), .. } => 4,
+    }
+}
+
+fn number_of(block: &Block<Rational>, number: usize) -> Rational {
+    let mut copy = block.clone();
+    place(&mut copy, number).cloned().unwrap_or_default()
+}
+
+fn place(block: &mut Block<Rational>, number: usize) -> Option<&mut Rational> {
+    match (&mut block.movement, number) {
+        (Movement::Line { end } | Movement::Arc { end, .. }, 0 | 1) => end.get_mut(number),
+        (Movement::Dummy { vector }, 0 | 1) => vector.get_mut(number),
+        (Movement::Arc { centre: Centre::FromStart(vector), .. }, 2 | 3) => vector.get_mut(number - 2),
+        (Movement::Arc { centre: Centre::Radius(radius), .. }, 2) => Some(radius),
+        _ => None,
+    }
+}
+
+fn with(blocks: &[Block<Rational>], index: usize, number: usize, value: Rational) -> Vec<Block<Rational>> {
+    let mut moved = blocks.to_vec();
+    if let Some(place) = moved.get_mut(index).and_then(|block| place(block, number)) {
+        *place = value;
+    }
+    moved
+}
+
+/// The end of the block's element that lies nearest to a point.
+fn end_nearest(run: &Run, block: usize, point: [f64; 2]) -> Option<[f64; 2]> {
+    let ends = run.steps.iter().filter(|step| step.block == block).filter_map(|step| match &step.segment {
+        Segment::Line { end } | Segment::Arc { end, .. } => Some([end[0].to_f64(), end[1].to_f64()]),
+        Segment::Hold => None,
+    });
+    let off = |end: &[f64; 2]| (end[0] - point[0]).hypot(end[1] - point[1]);
+    ends.min_by(|x, y| off(x).total_cmp(&off(y)))
+}
