@@ -1,7 +1,9 @@
 //! The canonical calls that the LinuxCNC interpreter `rs274` prints, for the path of the tool's centre.
 //!
 //! The calls and their arguments are those of `rs274`, which writes four decimals; here every number has 17 significant
-//! digits, so that two outcomes are told apart whenever their doubles differ. X is a radius value.
+//! digits, so that two outcomes are told apart whenever their doubles differ. X is a radius value. A block that moves
+//! nothing makes no call; `rs274` writes one for a straight move of no length. Calls for anything
+//! but moves (feed, units, plane) are left out, so the calls are numbered differently.
 
 use std::io::{self, Write};
 

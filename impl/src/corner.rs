@@ -37,32 +37,28 @@ fn by_intersection(first: &Element, second: &Element, radius: f64, turn: Turn) -
         (_, false) => clause::TRC_CORNER_06,
     };
     let first_normal = first.end_vector(radius);
+    // A of [TRC-CORNER-08], or M of [TRC-CORNER-06]; [TRC-CORNER-09] is [TRC-CORNER-08] with α = 0.
+    let beyond = if acute { radius } else { radius * turn.half_tangent() };
+    let before = first_normal + first.last * beyond;
+    // B of [TRC-CORNER-08].
+    let after = acute.then(|| second.start_vector(radius) - second.first * radius);
     if !with_arc {
-        let beyond = |length: f64| first_normal + first.last * length;
-        return if acute {
-            let b = second.start_vector(radius) - second.first * radius;
-            Junction { first: beyond(radius), moves: Moves::to(clause, b), on_normals: true }
-        } else {
-            Junction::at(clause, beyond(radius * turn.half_tangent()), true)
-        };
+        let moves = after.map_or(Moves::none(clause), |after| Moves::to(clause, after));
+        return Junction { first: before, moves, on_normals: true };
     }
+    // [TRC-CORNER-07]
     let mut path = Path { first: None, moves: Moves::none(clause) };
     if first.arc.is_some() {
         path.pass(first_normal);
     }
-    if acute {
-        // A and B of [TRC-CORNER-08]; [TRC-CORNER-09] is the same with α = 0.
-        path.pass(first_normal + first.last * radius);
-        path.pass(second.start_vector(radius) - second.first * radius);
-    } else {
-        // M of [TRC-CORNER-06].
-        path.pass(first_normal + first.last * (radius * turn.half_tangent()));
+    path.pass(before);
+    if let Some(after) = after {
+        path.pass(after);
     }
     if second.arc.is_some() {
-        // [TRC-CORNER-07]
         path.pass(second.start_vector(radius));
     }
-    Junction { first: path.first.unwrap_or(first_normal), moves: path.moves, on_normals: true }
+    Junction { first: path.first.unwrap_or(before), moves: path.moves, on_normals: true }
 }
 
 /// Collects the points that the tool passes: the first ends the first element, the others are moves.

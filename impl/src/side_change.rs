@@ -6,6 +6,7 @@ use core::cmp::Ordering;
 
 use radcomp_spec::clause;
 
+use crate::arc_form::Arc;
 use crate::element::Element;
 use crate::junction::{Junction, Turn};
 use crate::plane::{Vector, cross, dot, length, magnitude, perp};
@@ -185,8 +186,15 @@ fn within_arc(element: &Element, ray: Vector, at_start: Vector, at_end: Vector, 
     let (start, end) = (length(at_start), length(at_end));
     let nearest = if start < end { start } else { end };
     sign(radius - nearest, scale) != Ordering::Less
-        || arc.full
+        || is_whole_turn(arc)
         || turned_no_further(arc.start_ray, ray, arc.end_ray, arc.sense)
+}
+
+/// [TRC-ARC-01] an arc whose start and end lie on one ray sweeps 360°.
+fn is_whole_turn(arc: &Arc) -> bool {
+    arc.full
+        || sign(cross(arc.start_ray, arc.end_ray), arc.start_error + arc.end_error) == Ordering::Equal
+            && dot(arc.start_ray, arc.end_ray) > 0.0
 }
 
 /// Whether the turn from `from` to `to` in the sense is at most the turn to `limit`, all within one turn, by the

@@ -64,6 +64,9 @@ pub(crate) struct Pending {
     pub(crate) kind: PendingKind,
     pub(crate) element: Element,
     pub(crate) side: Side,
+    /// The corner moves before its own move that it owns, with their clause. They are made when the block is:
+    /// an alarm at the block stops them too ([TRC-MODE-06]).
+    lead_in: Option<(Clause, Vec<Segment<Real>>)>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -241,8 +244,7 @@ impl Engine {
         self.start_up_side = Some(side);
         self.element_side = Some(side);
         self.position = element.end.clone();
-        self.pending =
-            Some(Pending { block: number, rapid, kind: PendingKind::StartUp, element, side });
+        self.pending = Some(Pending { block: number, rapid, kind: PendingKind::StartUp, element, side, lead_in: None });
         Ok(())
     }
 
@@ -261,21 +263,21 @@ impl Engine {
         if let Err(kind) = arc::tool_fits(&element, side, &self.radius, judgement) {
             return self.alarm(number, kind, judgement);
         }
-        if self.pending.is_some() {
+        let lead_in = if self.pending.is_some() {
             let junction = self.junction(number, &element, side, judgement)?;
-            self.pass(junction, number, rapid, clause::TRC_LOOK_02, judgement)?;
+            self.pass(junction, judgement)?
         } else {
             if let Some(settled) = self.settled.take() {
                 look_ahead::advise(&settled, &element, side, &self.radius, judgement);
             }
             let resumed = look_ahead::resume(&self.tool, &element, side, &self.radius, judgement);
-            self.corner_moves(&resumed, number, rapid, judgement);
-        }
+            self.stand_at_end_of(&resumed.moves);
+            Some((resumed.clause, resumed.moves))
+        };
         self.start_up_side = None;
         self.element_side = Some(side);
         self.position = element.end.clone();
-        self.pending =
-            Some(Pending { block: number, rapid, kind: PendingKind::Offset, element, side });
+        self.pending = Some(Pending { block: number, rapid, kind: PendingKind::Offset, element, side, lead_in });
         Ok(())
     }
 
@@ -316,7 +318,9 @@ impl Engine {
             return self.alarm(number, kind, judgement);
         }
         let junction = self.junction(number, element, side, judgement)?;
-        self.pass(junction, number, rapid, clause::TRC_LOOK_02, judgement)?;
+        if let Some((clause, moves)) = self.pass(junction, judgement)? {
+            self.corner_moves(clause, &moves, number, rapid, judgement);
+        }
         self.emit(number, rapid, clause::TRC_DUMMY_02, false, Segment::Hold, judgement);
         self.start_up_side = None;
         self.element_side = Some(side);
@@ -348,32 +352,46 @@ impl Engine {
         }
     }
 
-    /// Ends the pending block at a junction, executes the blocks held, and makes the corner moves.
+    /// Ends the pending block at a junction, and executes the blocks held. Answers the corner moves if the next block
+    /// owns them ([TRC-CORNER-12]); the tool is taken to stand behind them.
     fn pass(
         &mut self,
         junction: Junction,
-        number: usize,
-        rapid: bool,
-        held: Clause,
         judgement: &mut Judgement<'_>,
-    ) -> Answer {
-        let owner = self.pending.as_ref().map_or((number, rapid), |pending| (pending.block, pending.rapid));
-        let ending =
-            Ending { clause: junction.clause, end: junction.first.clone() };
-        self.end_pending(ending, judgement)?;
+    ) -> Result<Option<(Clause, Vec<Segment<Real>>)>, Stop> {
+        let Some((block, rapid)) = self.pending.as_ref().map(|pending| (pending.block, pending.rapid)) else {
+            return Err(Stop::Contradiction);
+        };
+        self.end_pending(Ending { clause: junction.clause, end: junction.first }, judgement)?;
         if next_owns(self.parameters.corner_owner) {
-            self.execute_held(held, judgement);
-            self.corner_moves(&junction, number, rapid, judgement);
+            self.execute_held(clause::TRC_LOOK_02, judgement);
+            self.stand_at_end_of(&junction.moves);
+            Ok(Some((junction.clause, junction.moves)))
         } else {
-            self.corner_moves(&junction, owner.0, owner.1, judgement);
-            self.execute_held(held, judgement);
+            self.corner_moves(junction.clause, &junction.moves, block, rapid, judgement);
+            self.execute_held(clause::TRC_LOOK_02, judgement);
+            Ok(None)
         }
-        Ok(())
     }
 
-    fn corner_moves(&mut self, junction: &Junction, block: usize, rapid: bool, judgement: &mut Judgement<'_>) {
-        for segment in &junction.moves {
-            self.emit(block, rapid, junction.clause, false, segment.clone(), judgement);
+    fn corner_moves(
+        &mut self,
+        clause: Clause,
+        moves: &[Segment<Real>],
+        block: usize,
+        rapid: bool,
+        judgement: &mut Judgement<'_>,
+    ) {
+        for segment in moves {
+            self.emit(block, rapid, clause, false, segment.clone(), judgement);
+        }
+    }
+
+    fn stand_at_end_of(&mut self, moves: &[Segment<Real>]) {
+        for segment in moves {
+            if let Segment::Line { end: [a, b] } | Segment::Arc { end: [a, b], .. } = segment {
+                self.tool = Vector::new(a.clone(), b.clone());
+            }
         }
     }
 
@@ -381,13 +399,7 @@ impl Engine {
     fn end_pending(&mut self, ending: Ending, judgement: &mut Judgement<'_>) -> Answer {
         let Some(pending) = self.pending.take() else { return Ok(()) };
         let whole_circle = pending.kind == PendingKind::Offset
-            && arc::whole_turn(
-                &pending.element,
-                pending.side,
-                &self.radius,
-                (&self.tool, &ending.end),
-                judgement,
-            );
+            && arc::whole_turn(&pending.element, pending.side, &self.radius, (&self.tool, &ending.end), judgement);
         if pending.kind == PendingKind::Offset {
             let reading = core::mem::replace(&mut judgement.block, pending.block);
             let looked_at =
@@ -396,6 +408,9 @@ impl Engine {
             if let Err(kind) = looked_at {
                 return Err(Stop::Alarm(Alarm { block: pending.block, kind }));
             }
+        }
+        if let Some((clause, moves)) = &pending.lead_in {
+            self.corner_moves(*clause, moves, pending.block, pending.rapid, judgement);
         }
         let segment = match &pending.element.shape {
             Shape::Line { .. } => line_to(&ending.end),
@@ -505,9 +520,7 @@ impl Engine {
         segment: Segment<Real>,
         judgement: &mut Judgement<'_>,
     ) {
-        if let Segment::Line { end: [a, b] } | Segment::Arc { end: [a, b], .. } = &segment {
-            self.tool = Vector::new(a.clone(), b.clone());
-        }
+        self.stand_at_end_of(core::slice::from_ref(&segment));
         judgement.sink.step(Step { block, clause, rapid, main, segment });
     }
 }

@@ -12,7 +12,8 @@ use super::terminal::{self, bold};
 /// Show a clause of the specification: its text, where it comes from, its worked examples
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Sources: S:… read in that source, K known from well-known manuals, I derived, D decided by this project.
+Sources: S:… read in that source, K known from well-known manuals, I derived,
+D decided by this project.
 
 Examples:
   radcomp clause

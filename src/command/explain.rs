@@ -12,11 +12,12 @@ use super::{alarm, terminal};
 /// Tell block by block what the program does, which clause applies and by what margin
 #[derive(Debug, Args)]
 #[command(after_help = "\
-A margin is the exact distance, in millimetres, by which a decision could have gone the other way.
+A margin is how far, exactly and in millimetres, a decision is from going the
+other way.
 
 Examples:
   radcomp explain examples/first.nc --profile seed-mill --tools examples/tools.toml
-  radcomp explain examples/turning.nc --profile yasnac-lx --radius 0.8 --block 60
+  radcomp explain examples/turning.nc -p yasnac-lx -t examples/tools.toml --block 60
   radcomp explain part.nc --profile seed-mill --radius 5 --line 12")]
 pub struct Explain {
     #[command(flatten)]

@@ -17,11 +17,12 @@ use super::{alarm, terminal};
 /// Draw the programmed contour and the path of the tool's centre as an SVG picture
 #[derive(Debug, Args)]
 #[command(after_help = "\
-A program with an alarm is drawn too, up to where the tool stops, with the rest of its contour.
+A program with an alarm is drawn too: the tool's path up to where it stops, and the
+whole contour.
 
 Examples:
   radcomp plot examples/first.nc --profile seed-mill --tools examples/tools.toml -o first.svg
-  radcomp plot examples/turning.nc --profile yasnac-lx --tools examples/tools.toml -o turning.svg")]
+  radcomp plot examples/turning.nc -p yasnac-lx -t examples/tools.toml -o turning.svg")]
 pub struct Plot {
     #[command(flatten)]
     options: Options,

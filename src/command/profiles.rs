@@ -12,7 +12,8 @@ use super::terminal::{self, bold};
 /// List the control profiles, or every parameter of one with its value, source and clause
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Sources: S:… read in that source, K known from well-known manuals, I derived, D decided by this project.
+Sources: S:… read in that source, K known from well-known manuals, I derived,
+D decided by this project.
 
 Examples:
   radcomp profiles

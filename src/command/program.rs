@@ -103,7 +103,9 @@ impl Lines {
         let index = line.saturating_sub(self.before).saturating_sub(1) as usize;
         let bytes = self.complete.get(index).unwrap_or(&self.current);
         let text = String::from_utf8_lossy(bytes);
-        text.trim_start_matches('\u{feff}').trim_end().to_owned()
+        // A terminal obeys control characters.
+        let shown = |character: char| if character.is_control() { ' ' } else { character };
+        text.trim_start_matches('\u{feff}').trim_end().chars().map(shown).collect()
     }
 }
 
@@ -147,10 +149,10 @@ mod tests {
     fn each_block_comes_with_the_text_of_its_line() {
         let profile = Profile::builtin("seed-mill").unwrap();
         let control = Control { name: "a.nc".to_owned(), profile, tools: Tools::empty(), skip_deleted: true };
-        let text = "\u{feff}%\n(start)\nN1 G01 X1 F1 (one)\r\n\n/ X5\n\n\n\n  X2\nX3";
+        let text = "\u{feff}%\n(start)\nN1 G01 X1 F1 (one)\r\n\n/ X5\n\n\n\n\tX2\nX3";
         let blocks: Vec<Placed> = control.blocks(Box::new(text.as_bytes())).map(Result::unwrap).collect();
         let lines: Vec<(u32, &str)> = blocks.iter().map(|block| (block.source.line, &*block.source.text)).collect();
-        assert_eq!(lines, [(3, "N1 G01 X1 F1 (one)"), (9, "  X2"), (10, "X3")]);
+        assert_eq!(lines, [(3, "N1 G01 X1 F1 (one)"), (9, " X2"), (10, "X3")]);
         assert_eq!(blocks[0].source.sequence.as_deref(), Some("1"));
     }
 }

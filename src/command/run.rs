@@ -24,18 +24,20 @@ use super::{alarm, terminal};
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Formats:
-  text   a line for each path element: line, N number, kind, end point in the axes and measures of the
-         program, the clause that made it; where decimals do not tell all, closed forms such as 10 + 5·√2
-  json   one document. \"events\" holds path elements (kind line, arc, hold) and advisories in order, one a
-         line; \"alarm\" and \"refused\" after them are null or say what stopped the program. Coordinates are
-         {\"decimal\": \"17.071068\", \"exact\": \"10 + 5·√2\" or null} by axis, as in the text format
-  canon  the canonical calls of LinuxCNC's rs274, with 17 significant digits; X is a radius value
+  text   a line for each path element: line, N number, kind, end point in the axes
+         and measures of the program, the clause that made it; where the decimals
+         do not tell all, closed forms such as X = 10 + 5·√2
+  json   one document: \"events\" holds path elements (kind line, arc or hold) and
+         advisories in order, one a line; \"alarm\" and \"refused\" after them are null
+         or say what stopped the program; coordinates are, by axis,
+         {\"decimal\": \"17.071067811865\", \"exact\": \"10 + 5·√2\"}, exact null if long
+  canon  the canonical calls of LinuxCNC's rs274; X is a radius value
 
 An alarm goes to the standard error output.
 
 Examples:
   radcomp run examples/first.nc --profile seed-mill --tools examples/tools.toml
-  radcomp run examples/turning.nc --profile yasnac-lx --radius 0.8 --format json
+  radcomp run examples/turning.nc -p yasnac-lx -t examples/tools.toml -f json
   generate | radcomp run - --profile seed-mill --radius 5 --format canon | less")]
 pub struct Run {
     #[command(flatten)]

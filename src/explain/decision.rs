@@ -44,7 +44,7 @@ pub fn in_words(decision: &Decision, corner: Corner) -> Option<String> {
         (DecisionKind::Turn, _) if corner.side_change => format!("the path turns{by} where the side changes"),
         (DecisionKind::Turn, Greater) => format!("inner corner: the path turns{by} to the tool's side"),
         (DecisionKind::Turn, Less) => format!("outer corner: the path turns{by} away from the tool's side"),
-        (DecisionKind::RightAngle, Greater) if corner.parallel => "straight on: no turn at all".to_owned(),
+        (DecisionKind::RightAngle, Greater) if corner.parallel => "tangent: the path goes straight on".to_owned(),
         (DecisionKind::RightAngle, _) if corner.parallel => "straight back: an exact reversal".to_owned(),
         (DecisionKind::RightAngle, Greater) => "it turns by less than 90°".to_owned(),
         (DecisionKind::RightAngle, Equal) => "it turns by exactly 90°, so the corner counts as obtuse".to_owned(),

@@ -38,7 +38,9 @@ pub(crate) fn construct(
             for number in 0..numbers(&best[index]) {
                 let from = number_of(&blocks[index], number);
                 let moved = with(&best, index, number, Rational::from(&from + &beta));
-                let reached = end_nearest(&run(parameters, &moved), divergence.block, expected.to)?;
+                // The step may lead to an alarm before the point is reached.
+                let outcome = run(parameters, &moved);
+                let Some(reached) = end_nearest(&outcome, divergence.block, expected.to) else { continue };
                 let by = [reached[0] - expected.to[0], reached[1] - expected.to[1]];
                 let square = by[0] * by[0] + by[1] * by[1];
                 if square == 0.0 {

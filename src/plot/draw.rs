@@ -24,8 +24,9 @@ pub(super) const GREEN: &str = "#2b8a3e";
 /// The tool.
 pub(super) const TOOL: &str = "fill:#74a9e8;fill-opacity:0.14;stroke:#74a9e8;stroke-width:0.8";
 
-/// At most so many tools, labels, arrows are drawn.
+/// At most so many tools, marks, labels, arrows are drawn.
 const MOST_TOOLS: usize = 60;
+const MOST_MARKS: usize = 200;
 const MOST_LABELS: usize = 80;
 const MOST_ARROWS: usize = 120;
 
@@ -70,6 +71,9 @@ fn notes(scene: &Scene) -> Vec<String> {
     let (tools, names) = (scene.vectors.len(), scene.corners.len());
     if tools > MOST_TOOLS {
         notes.push(format!("The tool is drawn at {MOST_TOOLS} of its {tools} vectors."));
+    }
+    if scene.marks.len() > MOST_MARKS {
+        notes.push(format!("{MOST_MARKS} of {} advisories and alarms are marked.", scene.marks.len()));
     }
     if names > MOST_LABELS {
         notes.push(format!("{MOST_LABELS} of {names} blocks are named."));
@@ -157,11 +161,11 @@ fn arrow(piece: &Piece, frame: &Frame) -> Polygon {
 
 fn labels(mut document: Document, scene: &Scene, frame: &Frame) -> Document {
     let mut labels = Labels::new(frame.samples(scene), [4.0, 54.0], [WIDTH - 4.0, frame.bottom - 78.0]);
-    for mark in &scene.marks {
+    for mark in spread(&scene.marks, MOST_MARKS) {
         let [x, y] = frame.place(mark.point);
         document = document.add(legend::mark(x, y, mark.kind));
     }
-    for mark in scene.marks.iter().take(MOST_LABELS) {
+    for mark in spread(&scene.marks, MOST_LABELS) {
         let colour = if mark.kind == MarkKind::Alarm { RED } else { "#8a5a00" };
         document = document.add(label(&mut labels, frame.place(mark.point), &mark.text, colour));
     }

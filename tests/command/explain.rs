@@ -53,7 +53,7 @@ fn an_alarm_and_an_advisory_stand_in_their_blocks() {
 #[test]
 fn a_side_change_and_a_straight_corner_have_words_of_their_own() {
     let text = printed(mill("explain", &[], "G41 D1 G01 X10 F1\nX20\nX30\nG42 Y40\nG40 X0\n"));
-    assert!(text.contains("straight on: no turn at all"), "{text}");
+    assert!(text.contains("tangent: the path goes straight on"), "{text}");
     assert!(text.contains("the path turns by 90° where the side changes"), "{text}");
 }
 

@@ -39,11 +39,7 @@ pub(crate) fn resume(
             if judgement.decide(DecisionKind::LineInForward, &along, along.clone()) == Ordering::Less {
                 judgement.advise(AdvisoryKind::LineInBackwards, line_in.length());
             }
-            Junction {
-                clause: clause::TRC_LOOK_05,
-                first: tool.clone(),
-                moves,
-            }
+            Junction { clause: clause::TRC_LOOK_05, first: tool.clone(), moves }
         }
     }
 }

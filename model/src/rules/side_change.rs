@@ -49,8 +49,8 @@ pub(crate) fn side_change(
         let candidates = contacts(&arm_before, side_before, &arm_after, side_after, setting.radius, judgement)?;
         let mut counting = Vec::with_capacity(2);
         for point in candidates {
-            if within(&point, before, side_before, setting.radius, End::Last, judgement)
-                && within(&point, after, side_after, setting.radius, End::First, judgement)
+            if within(&point, before, side_before, setting.radius, judgement)
+                && within(&point, after, side_after, setting.radius, judgement)
             {
                 counting.push(point);
             }
@@ -120,13 +120,6 @@ fn line_line(
     Ok(vec![before.point.along(&sum, &factor)])
 }
 
-/// Which end of an element the junction is.
-#[derive(Clone, Copy, PartialEq)]
-enum End {
-    First,
-    Last,
-}
-
 /// Whether the point lies no farther than r from the untrimmed offset element, measured on its offset curve's line or
 /// from its nearer end.
 fn within(
@@ -134,7 +127,6 @@ fn within(
     element: &Element,
     side: Side,
     radius: &Real,
-    end: End,
     judgement: &mut Judgement<'_>,
 ) -> bool {
     let margin = match &element.shape {
@@ -153,25 +145,12 @@ fn within(
             if inside {
                 radius.clone()
             } else {
-                // Both ends on the circle that the junction uses ([TRC-ARC-04]).
-                let own = match end {
-                    End::First => &first,
-                    End::Last => &last,
-                };
-                let offset = own.circle.as_ref().map(|circle| circle.offset_radius(side, radius));
-                let from_end = |arm: &Arm| on_ray(centre, arm, offset.as_ref()).minus(point).length();
+                let from_end = |arm: &Arm| arm.normal(side, radius).minus(point).length();
                 radius - &smaller(from_end(&first), from_end(&last))
             }
         }
     };
     judgement.decide(DecisionKind::ContactWithin, &margin, smaller(margin.clone(), radius.clone())) != Ordering::Less
-}
-
-/// The point of the offset circle on the ray from the centre through the arm's point.
-fn on_ray(centre: &Vector, arm: &Arm, offset_radius: Option<&Real>) -> Vector {
-    let ray = arm.point.minus(centre);
-    let factor = offset_radius.and_then(|offset| offset.checked_div(&arm.length)).unwrap_or_else(Real::zero);
-    centre.along(&ray, &factor)
 }
 
 /// [TRC-SIDE-02] the one nearer to P; of two equally near ones, none.

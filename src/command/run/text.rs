@@ -22,7 +22,7 @@ impl<N: Coordinate> Print<N> for Text {
     fn step(&mut self, out: &mut dyn Write, step: &Step<N>, block: &Placed) -> io::Result<()> {
         if self.count == 0 {
             let width = 2 * (self.digits + 12);
-            writeln!(out, "{:>6}  {:<7} {:<16}{:<width$}{}", "line", "N", "path element", "end point, mm", "clause")?;
+            writeln!(out, "{:>6}  {:<7} {:<16}{:<width$}clause", "line", "N", "path element", "end point, mm")?;
         }
         self.count += 1;
         let place = format!("{:>6}  {:<7} {:<16}", block.source.line, name(block), kind(step));
