@@ -8,11 +8,13 @@ use radcomp_model::{Run, run};
 use radcomp_spec::{Block, Centre, Movement, Parameters, Segment};
 use rug::Rational;
 
-use super::compare::{self, Difference};
+use super::compare::{self, Difference, Divergence};
 use crate::device::Answer;
 
 /// How often a witness is improved before the search is given up.
 const MOST_ROUNDS: usize = 6;
+/// How many numbers are tried in a round.
+const MOST_CANDIDATES: usize = 16;
 
 /// Looks for an input within `beta` of `blocks`, number by number, whose exact outcome matches the answer to within
 /// `delta`. `exact` is the outcome of `blocks` itself. The search moves one number at a time, the one that brings the
@@ -52,15 +54,35 @@ pub(crate) fn construct(
                 candidates.push((left, index, number, from, share));
             }
         }
-        let (_, index, number, from, share) = candidates.into_iter().min_by(|x, y| x.0.total_cmp(&y.0))?;
-        let step = Rational::from(&beta * Rational::from_f64(share)?);
-        best = with(&best, index, number, from + step);
-        outcome = run(parameters, &best);
-        if compare::divergence(&outcome, answer, delta).is_none() {
-            return Some(best);
+        candidates.sort_by(|x, y| x.0.total_cmp(&y.0));
+        let mut improved = None;
+        for (_, index, number, from, share) in candidates.into_iter().take(MOST_CANDIDATES) {
+            let step = Rational::from_f64(share)? * &beta;
+            let moved = with(&best, index, number, from + step);
+            let reached = run(parameters, &moved);
+            match compare::divergence(&reached, answer, delta) {
+                None => return Some(moved),
+                // A step to the other side may lead to an alarm, or leave the point where it was.
+                Some(left) if is_nearer(&left, &divergence) => {
+                    improved = Some((moved, reached));
+                    break;
+                }
+                Some(_) => {}
+            }
         }
+        (best, outcome) = improved?;
     }
     None
+}
+
+/// Whether the first divergence has moved on, or become smaller.
+fn is_nearer(now: &Divergence, before: &Divergence) -> bool {
+    match (&now.difference, &before.difference) {
+        (Difference::End(now_off), Difference::End(before_off)) => {
+            now.block > before.block || (now.block == before.block && now_off < before_off)
+        }
+        _ => false,
+    }
 }
 
 /// The blocks that a vector at this block's end depends on: the moving ones around it.
