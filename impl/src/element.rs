@@ -5,6 +5,7 @@ use core::cmp::Ordering;
 use radcomp_spec::Side;
 
 use crate::arc_form::Arc;
+use crate::junction::Moves;
 use crate::plane::{Vector, direction, magnitude, perp};
 use crate::sign::sign;
 
@@ -35,6 +36,11 @@ pub(crate) struct Element {
     pub block: usize,
     /// Its block moves at rapid rate.
     pub rapid: bool,
+    /// The corner moves at its start, before its own move. They are part of its block, which an alarm may keep from
+    /// moving.
+    pub lead: Moves,
+    /// Its own move starts on its own normal. [TRC-ARC-07]
+    pub lead_on_normal: bool,
 }
 
 /// σ of a side. [TRC-PLANE-02]
@@ -63,6 +69,8 @@ impl Element {
             arc: None,
             block: 0,
             rapid: false,
+            lead: Moves::none(),
+            lead_on_normal: false,
         }
     }
 
@@ -90,15 +98,14 @@ impl Element {
         self.arc = None;
     }
 
-    /// Makes this an arc between the two points; it is [`Element::arc`] already.
+    /// Makes this an arc between the two points.
     #[inline(always)]
-    pub fn set_arc(&mut self, start: Vector, end: Vector) {
-        if let Some(arc) = &self.arc {
-            (self.start, self.end) = (start, end);
-            (self.first, self.last) = (perp(arc.start_ray) * arc.sense, perp(arc.end_ray) * arc.sense);
-            (self.length, self.scale) = (0.0, arc.scale);
-            (self.first_error, self.last_error) = (arc.start_error, arc.end_error);
-        }
+    pub fn set_arc(&mut self, start: Vector, end: Vector, arc: Arc) {
+        (self.start, self.end) = (start, end);
+        (self.first, self.last) = (perp(arc.start_ray) * arc.sense, perp(arc.end_ray) * arc.sense);
+        (self.length, self.scale) = (0.0, arc.scale);
+        (self.first_error, self.last_error) = (arc.start_error, arc.end_error);
+        self.arc = Some(arc);
     }
 
     /// `n(u)` at the start. [TRC-PLANE-02]

@@ -1,12 +1,12 @@
 //! The engine: reads blocks, checks their numbers and arcs, and lets the look-ahead drive the geometry.
 
 use nalgebra::Vector2;
-use radcomp_spec::{Alarm, AlarmKind, Block, Movement, Parameters, Step};
+use radcomp_spec::{Alarm, AlarmKind, Block, Centre, Movement, Parameters, Step};
 
 use crate::arc_form::Arc;
 use crate::geometry::{Event, Kind};
 use crate::plane::Vector;
-use crate::scene::{Piece, Scene, State};
+use crate::scene::{Scene, State};
 use crate::window::Window;
 
 /// Takes the path of the tool's centre, element by element.
@@ -64,8 +64,7 @@ impl Engine {
             return Err(alarm);
         }
         let end = self.state.position;
-        let mut scene =
-            Scene { state: &mut self.state, sink, piece: Piece::Straight, end, block: self.blocks, rapid: false };
+        let mut scene = Scene { state: &mut self.state, sink, end, block: self.blocks, rapid: false };
         let result = self.window.finish(&mut scene);
         self.alarm = result.err();
         result
@@ -76,14 +75,12 @@ impl Engine {
         let index = self.blocks;
         self.blocks = index.wrapping_add(1);
         let form = form(block, &mut self.state);
-        let (Form { kind, piece, end }, fault) = match form {
-            Ok(form) => (form, None),
-            Err(fault) => (Form { kind: Kind::Still, piece: Piece::Straight, end: self.state.position }, Some(fault)),
+        let end = form.map_or(self.state.position, |form| form.end);
+        let mut scene = Scene { state: &mut self.state, sink, end, block: index, rapid: block.rapid };
+        let kind = match form {
+            Ok(form) => form.kind,
+            Err(fault) => return self.window.fault(index, fault, &mut scene),
         };
-        let mut scene = Scene { state: &mut self.state, sink, piece, end, block: index, rapid: block.rapid };
-        if let Some(fault) = fault {
-            return self.window.fault(index, fault, &mut scene);
-        }
         let mut other_radius = false;
         if let Some(radius) = block.radius {
             other_radius = radius != scene.state.radius_in_force;
@@ -100,44 +97,51 @@ impl Engine {
     }
 }
 
-/// A block whose numbers are within range and whose arc exists, and is the next element's already.
+/// A block whose numbers are within range and whose arc exists; its element, if it is one, is [`State::next`].
+#[derive(Clone, Copy)]
 struct Form {
     kind: Kind,
-    piece: Piece,
     end: Vector,
 }
 
 /// [TRC-MODE-07], then [TRC-ARC-06], [TRC-ARC-02] and [TRC-ARC-03].
 #[inline(always)]
 fn form(block: &Block<f64>, state: &mut State) -> Result<Form, AlarmKind> {
-    let start = state.position;
+    let (start, tolerance) = (state.position, state.tolerance);
     if let Some(radius) = block.radius
         && !(0.0..=MOST).contains(&radius)
     {
         return Err(AlarmKind::OutOfRange);
     }
+    let still = Form { kind: Kind::Still, end: start };
     match &block.movement {
-        Movement::None => Ok(Form { kind: Kind::Still, piece: Piece::Straight, end: start }),
+        Movement::None => Ok(still),
         Movement::Line { end } => {
             let end = in_range(*end)?;
             // [TRC-LOOK-01]: a straight move of length zero does not move.
-            let kind = if end == start { Kind::Still } else { Kind::Line };
-            Ok(Form { kind, piece: Piece::Straight, end })
+            if end == start {
+                return Ok(still);
+            }
+            state.next().set_line(start, end);
+            Ok(Form { kind: Kind::Line, end })
         }
         Movement::Dummy { vector } => {
             let vector = in_range(*vector)?;
-            let kind = if vector == Vector::zeros() { Kind::Still } else { Kind::Dummy };
-            Ok(Form { kind, piece: Piece::Dummy(vector), end: start })
+            if vector == Vector::zeros() {
+                return Ok(still);
+            }
+            state.next().set_dummy(start, vector);
+            Ok(Form { kind: Kind::Dummy, end: start })
         }
         Movement::Arc { end, centre, direction } => {
             let end = in_range(*end)?;
             match *centre {
-                radcomp_spec::Centre::FromStart(vector) => in_range(vector)?,
-                radcomp_spec::Centre::Radius(radius) => in_range([radius, 0.0])?,
+                Centre::FromStart(vector) => in_range(vector)?,
+                Centre::Radius(radius) => in_range([radius, 0.0])?,
             };
-            let tolerance = state.tolerance;
-            state.next().arc = Some(Arc::new(start, end, centre, *direction, tolerance)?);
-            Ok(Form { kind: Kind::Arc, piece: Piece::Arc, end })
+            let arc = Arc::new(start, end, centre, *direction, tolerance)?;
+            state.next().set_arc(start, end, arc);
+            Ok(Form { kind: Kind::Arc, end })
         }
     }
 }

@@ -28,16 +28,17 @@ use crate::sign::sign;
 #[inline(always)]
 pub(crate) fn corner(first: &Element, second: &Element, radius: f64, turn: Turn) -> Result<Junction, AlarmKind> {
     let tangent = turn.half_tangent();
+    let at = |clause, vector, on_normals| Junction { first: vector, clause, on_normals };
     if first.arc.is_none() && second.arc.is_none() {
         let vector = first.end_vector(radius) - first.last * (radius * tangent);
-        return Ok(Junction::at(clause::TRC_CORNER_03, vector, true));
+        return Ok(at(clause::TRC_CORNER_03, vector, true));
     }
     if radius == 0.0 {
         // Without a radius P is the intersection, and on the normal of an arc.
-        return Ok(Junction::at(clause::TRC_CORNER_04, first.end, true));
+        return Ok(at(clause::TRC_CORNER_04, first.end, true));
     }
     let z = with_arc(first, second, radius, turn, tangent)?;
-    Ok(Junction::at(clause::TRC_CORNER_04, first.end + z, false))
+    Ok(at(clause::TRC_CORNER_04, first.end + z, false))
 }
 
 /// The vector of an inner corner with an arc, relative to P.

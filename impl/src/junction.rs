@@ -8,7 +8,7 @@ use radcomp_spec::{AlarmKind, Clause, Direction, OuterCorner, clause};
 use crate::corner;
 use crate::element::Element;
 use crate::inner;
-use crate::plane::{Vector, cross, dot, is_finite};
+use crate::plane::{Vector, cross, dot};
 use crate::side_change;
 use crate::sign::sign;
 
@@ -29,22 +29,26 @@ pub(crate) struct Moves {
 
 impl Moves {
     /// No moves.
-    #[inline(always)]
-    pub fn none(clause: Clause) -> Moves {
+    pub fn none() -> Moves {
         let zero = Vector::new(0.0, 0.0);
-        Moves { clause, count: 0, round: None, points: [zero; 3], centre: zero }
+        Moves { clause: clause::TRC_CORNER_12, count: 0, round: None, points: [zero; 3], centre: zero }
     }
 
-    /// One straight move.
-    #[inline]
-    pub fn to(clause: Clause, point: Vector) -> Moves {
-        let mut moves = Moves::none(clause);
-        moves.push(point);
-        moves
+    /// Makes these one straight move.
+    #[inline(always)]
+    pub fn set(&mut self, clause: Clause, point: Vector) {
+        self.start(clause);
+        self.push(point);
+    }
+
+    /// Makes these no moves, to which straight ones are added.
+    #[inline(always)]
+    pub fn start(&mut self, clause: Clause) {
+        (self.clause, self.count, self.round) = (clause, 0, None);
     }
 
     /// Adds a straight move; a corner has at most three. [TRC-CORNER-07]
-    #[inline]
+    #[inline(always)]
     pub fn push(&mut self, point: Vector) {
         if let Some(slot) = self.points.get_mut(usize::from(self.count)) {
             *slot = point;
@@ -53,7 +57,7 @@ impl Moves {
     }
 
     /// The ends of the moves, in order.
-    #[inline]
+    #[inline(always)]
     pub fn points(&self) -> &[Vector] {
         self.points.get(..usize::from(self.count)).unwrap_or(&[])
     }
@@ -65,29 +69,16 @@ impl Moves {
     }
 }
 
-/// A formed junction.
+/// A formed junction, but for the moves from its first vector to its last: they are put in the second element's
+/// [`Element::lead`], where they stay until that element is emitted.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Junction {
     /// Its first vector: the end of the first element's own move.
     pub first: Vector,
-    /// The moves from there to its last vector, with the clause of the junction.
-    pub moves: Moves,
+    /// The clause that formed it.
+    pub clause: Clause,
     /// An arc on either side ends or starts on its own normal. [TRC-ARC-07]
     pub on_normals: bool,
-}
-
-impl Junction {
-    /// A junction of one vector.
-    #[inline(always)]
-    pub fn at(clause: Clause, vector: Vector, on_normals: bool) -> Junction {
-        Junction { first: vector, moves: Moves::none(clause), on_normals }
-    }
-
-    /// Every coordinate is finite.
-    #[inline]
-    pub fn is_finite(&self) -> bool {
-        is_finite(self.first) && self.moves.points().iter().all(|point| is_finite(*point))
-    }
 }
 
 /// What a profile says of junctions.
@@ -108,8 +99,6 @@ pub(crate) struct Turn {
     pub cross: f64,
     /// `d`.
     pub dot: f64,
-    /// The sign of `c`.
-    pub turns: Ordering,
     /// The sum of the tangents' errors, in units of rounding.
     pub error: f64,
 }
@@ -119,8 +108,18 @@ impl Turn {
     #[inline(always)]
     pub fn between(first: &Element, second: &Element) -> Turn {
         let error = first.last_error + second.first_error;
-        let cross = cross(first.last, second.first);
-        Turn { cross, dot: dot(first.last, second.first), turns: sign(cross, error), error }
+        Turn { cross: cross(first.last, second.first), dot: dot(first.last, second.first), error }
+    }
+
+    /// The sign of `c`, seen from the tool: greater at an inner corner. [TRC-CORNER-01]
+    #[inline(always)]
+    pub fn toward_tool(&self, side: f64) -> Ordering {
+        sign(side * self.cross, self.error)
+    }
+
+    /// The path goes straight on or straight back.
+    pub fn is_straight(&self) -> bool {
+        sign(self.cross, self.error) == Ordering::Equal
     }
 
     /// tan(|φ|/2) of a turn that is no reversal, by the quotient that does not cancel.
@@ -131,33 +130,32 @@ impl Turn {
     }
 }
 
-/// Forms the corner of two elements on one side.
+/// Forms the corner of two elements on one side; the second has no lead yet.
 ///
 /// # Errors
 /// [TRC-CORNER-05], [TRC-CORNER-09], at the second block.
 #[inline(always)]
-pub(crate) fn corner(first: &Element, second: &Element, radius: f64, rules: Rules) -> Result<Junction, AlarmKind> {
+pub(crate) fn corner(first: &Element, second: &mut Element, radius: f64, rules: Rules) -> Result<Junction, AlarmKind> {
     let turn = Turn::between(first, second);
-    let toward_tool = if first.side > 0.0 { turn.turns } else { turn.turns.reverse() };
-    match toward_tool {
+    match turn.toward_tool(first.side) {
         Ordering::Equal if turn.dot > 0.0 => {
             // [TRC-CORNER-02]
-            Ok(Junction::at(clause::TRC_CORNER_02, first.end_vector(radius), true))
+            Ok(Junction { first: first.end_vector(radius), clause: clause::TRC_CORNER_02, on_normals: true })
         }
         Ordering::Equal if rules.reversal == Reversal::Alarm => Err(AlarmKind::Reversal),
         Ordering::Greater => inner::corner(first, second, radius, turn),
-        Ordering::Equal | Ordering::Less => Ok(corner::outer(first, second, radius, turn, rules.outer)),
+        Ordering::Equal | Ordering::Less => corner::outer(first, second, radius, turn, rules.outer),
     }
 }
 
-/// Forms the junction of two elements on different sides; `forbidden` is not asked here.
-pub(crate) fn change_of_side(first: &Element, second: &Element, radius: f64, rules: Rules) -> Junction {
+/// Forms the junction of two elements on different sides, the second without a lead yet; `forbidden` is not asked here.
+pub(crate) fn change_of_side(first: &Element, second: &mut Element, radius: f64, rules: Rules) -> Junction {
     if rules.side_change == SideChange::IntersectionWithin
         && let Some(junction) = side_change::contact(first, second, radius)
     {
         return junction;
     }
     // [TRC-SIDE-03]
-    let moves = Moves::to(clause::TRC_SIDE_03, second.start_vector(radius));
-    Junction { first: first.end_vector(radius), moves, on_normals: true }
+    second.lead.set(clause::TRC_SIDE_03, second.start_vector(radius));
+    Junction { first: first.end_vector(radius), clause: clause::TRC_SIDE_03, on_normals: true }
 }

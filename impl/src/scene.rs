@@ -36,10 +36,6 @@ pub(crate) struct State {
     elements: [Element; 2],
     /// The second of them is the pending one.
     second_pending: bool,
-    /// The corner moves at its start that it owns. They are part of its block, which an alarm may keep from moving.
-    lead: Moves,
-    /// Its own move starts on its own normal. [TRC-ARC-07]
-    lead_on_normal: bool,
 }
 
 impl State {
@@ -62,42 +58,27 @@ impl State {
             radius: 0.0,
             elements: [Element::unused(); 2],
             second_pending: false,
-            lead: Moves::none(clause::TRC_MODE_01),
-            lead_on_normal: false,
         }
     }
 
-    /// The pending element and the one read.
-    #[inline(always)]
-    fn meeting(&self) -> (&Element, &Element) {
-        let [one, other] = &self.elements;
-        if self.second_pending { (other, one) } else { (one, other) }
-    }
-
-    /// Where the element read is put; its arc, if it is one, is there as soon as its form has been found sound.
+    /// The element read. It is put there as soon as its form has been found sound.
     #[inline(always)]
     pub fn next(&mut self) -> &mut Element {
-        let [one, other] = &mut self.elements;
-        if self.second_pending { one } else { other }
+        meeting(&mut self.elements, self.second_pending).1
     }
 }
 
-/// The movement of the block read, as its element needs it.
-#[derive(Clone, Copy)]
-pub(crate) enum Piece {
-    /// To the block's end, or nowhere.
-    Straight,
-    /// Along the vector.
-    Dummy(Vector),
-    /// The arc of [`State::next`], to the block's end.
-    Arc,
+/// The pending element and the one read.
+#[inline(always)]
+fn meeting(elements: &mut [Element; 2], second_pending: bool) -> (&mut Element, &mut Element) {
+    let [one, other] = elements;
+    if second_pending { (other, one) } else { (one, other) }
 }
 
 /// The state, with the block read and the sink of the path.
 pub(crate) struct Scene<'a, S> {
     pub state: &'a mut State,
     pub sink: &'a mut S,
-    pub piece: Piece,
     /// Programmed end of the block read.
     pub end: Vector,
     /// Its index.
@@ -107,17 +88,12 @@ pub(crate) struct Scene<'a, S> {
 }
 
 impl<S: Sink> Scene<'_, S> {
-    /// Completes the element read.
+    /// Completes the element read: its block, its side, and that its path starts on its own normal without a lead.
     #[inline(always)]
-    fn make(&mut self, side: Side) {
-        let start = self.state.position;
+    fn complete(&mut self, side: Side) {
         let element = self.state.next();
-        match self.piece {
-            Piece::Straight => element.set_line(start, self.end),
-            Piece::Dummy(vector) => element.set_dummy(start, vector),
-            Piece::Arc => element.set_arc(start, self.end),
-        }
         (element.side, element.block, element.rapid) = (sigma(side), self.block, self.rapid);
+        (element.lead.count, element.lead_on_normal) = (0, true);
     }
 }
 
@@ -175,52 +151,49 @@ impl<S: Sink> Geometry for Scene<'_, S> {
 
     #[inline(always)]
     fn junction(&mut self, meeting: Meeting, side: Side) -> Result<Junction, AlarmKind> {
-        self.make(side);
-        let (pending, next) = self.state.meeting();
-        let (radius, rules) = (self.state.radius, self.state.rules);
+        self.complete(side);
+        let State { radius, rules, elements, second_pending, .. } = &mut *self.state;
+        let (pending, next) = self::meeting(elements, *second_pending);
         let junction = match meeting {
+            Meeting::Corner => junction::corner(pending, next, *radius, *rules)?,
             // [TRC-START-02]
-            Meeting::StartUp => Junction::at(clause::TRC_START_02, next.start_vector(radius), true),
-            Meeting::Corner => junction::corner(pending, next, radius, rules)?,
-            Meeting::SideChange => junction::change_of_side(pending, next, radius, rules),
+            Meeting::StartUp => {
+                Junction { first: next.start_vector(*radius), clause: clause::TRC_START_02, on_normals: true }
+            }
+            Meeting::SideChange => junction::change_of_side(pending, next, *radius, *rules),
         };
-        if junction.is_finite() { Ok(junction) } else { Err(AlarmKind::OutOfRange) }
+        // The points of a lead are finite already.
+        if is_finite(junction.first) { Ok(junction) } else { Err(AlarmKind::OutOfRange) }
     }
 
     #[inline(always)]
     fn settle(&mut self, end: End<Junction>, start_up: bool) -> Result<(), AlarmKind> {
-        let (pending, _) = self.state.meeting();
-        let junction = match end {
-            End::Junction(junction) => junction,
-            End::Normal(clause) => Junction::at(clause, pending.end_vector(self.state.radius), true),
-            End::Programmed(clause) => Junction::at(clause, pending.end, true),
+        let State { radius, elements, second_pending, tool, owner, reversed, .. } = &mut *self.state;
+        let (pending, next) = meeting(elements, *second_pending);
+        let (to, clause, on_normals) = match &end {
+            End::Junction(junction) => (junction.first, junction.clause, junction.on_normals),
+            // Sums of numbers within range: finite.
+            End::Normal(clause) => (pending.end_vector(*radius), *clause, true),
+            End::Programmed(clause) => (pending.end, *clause, true),
         };
-        let to = junction.first;
-        if !is_finite(to) {
-            return Err(AlarmKind::OutOfRange);
-        }
-        let (arc, lead) = (pending.arc.as_ref(), &self.state.lead);
-        let full = arc.is_some_and(|arc| arc.full) && self.state.lead_on_normal && junction.on_normals;
-        if self.state.reversed == ReversedPath::Alarm && !start_up {
-            let from = lead.last().unwrap_or(self.state.tool);
+        let arc = pending.arc.as_ref();
+        let full = arc.is_some_and(|arc| arc.full) && pending.lead_on_normal && on_normals;
+        if *reversed == ReversedPath::Alarm && !start_up {
+            let from = pending.lead.last().unwrap_or(*tool);
             if let Some(kind) = wedge::reversed(pending, from, to, full) {
                 return Err(kind);
             }
         }
-        let mut tool = self.state.tool;
-        let mut path = PathEnd { tool: &mut tool, sink: self.sink, block: pending.block, rapid: pending.rapid };
-        path.corner_moves(lead);
-        path.own_move(arc, to, full, junction.moves.clause);
-        let owner = self.state.owner;
-        if owner == CornerOwner::Previous {
-            path.corner_moves(&junction.moves);
+        let mut path = PathEnd { tool, sink: self.sink, block: pending.block, rapid: pending.rapid };
+        path.corner_moves(&pending.lead);
+        path.own_move(arc, to, full, clause);
+        if let End::Junction(junction) = end {
+            next.lead_on_normal = junction.on_normals;
+            if *owner == CornerOwner::Previous {
+                path.corner_moves(&next.lead);
+                next.lead.count = 0;
+            }
         }
-        self.state.tool = tool;
-        self.state.lead.count = 0;
-        if owner == CornerOwner::Next && junction.moves.count > 0 {
-            self.state.lead = junction.moves;
-        }
-        self.state.lead_on_normal = junction.on_normals;
         Ok(())
     }
 
@@ -230,19 +203,18 @@ impl<S: Sink> Geometry for Scene<'_, S> {
     }
 
     fn dummy(&mut self) {
-        let State { tool, lead, .. } = &mut *self.state;
-        PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid }.corner_moves(lead);
-        lead.count = 0;
+        let State { elements, second_pending, tool, .. } = &mut *self.state;
+        let (_, dummy) = meeting(elements, *second_pending);
+        PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid }.corner_moves(&dummy.lead);
     }
 
     #[inline(always)]
     fn follow(&mut self, clause: Clause) {
-        let (_, next) = self.state.meeting();
-        let arc = next.arc.as_ref().filter(|_| matches!(self.piece, Piece::Arc));
-        let mut tool = self.state.tool;
-        let mut path = PathEnd { tool: &mut tool, sink: self.sink, block: self.block, rapid: self.rapid };
+        let State { elements, second_pending, tool, .. } = &mut *self.state;
+        let (_, next) = meeting(elements, *second_pending);
+        let arc = next.arc.as_ref();
+        let mut path = PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid };
         path.own_move(arc, self.end, arc.is_some_and(|arc| arc.full), clause);
-        self.state.tool = tool;
     }
 
     #[inline(always)]
@@ -250,15 +222,13 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         match begin {
             Begin::Junction => {}
             Begin::StartUp => {
-                self.make(side);
+                self.complete(side);
                 self.state.radius = self.state.radius_in_force;
-                self.state.lead.count = 0;
             }
             Begin::Settled => {
-                self.make(side);
-                let (_, element) = self.state.meeting();
-                self.state.lead = line_in(element, self.state.radius, self.state.tool);
-                self.state.lead_on_normal = true;
+                self.complete(side);
+                let State { radius, elements, second_pending, tool, .. } = &mut *self.state;
+                line_in(meeting(elements, *second_pending).1, *radius, *tool);
             }
         }
         self.state.second_pending = !self.state.second_pending;
@@ -266,12 +236,10 @@ impl<S: Sink> Geometry for Scene<'_, S> {
 }
 
 /// The move to the normal of an arc whose junction was settled without it, unless the tool stands there. [TRC-LOOK-05]
-fn line_in(element: &Element, radius: f64, tool: Vector) -> Moves {
+fn line_in(element: &mut Element, radius: f64, tool: Vector) {
     let normal = element.start_vector(radius);
     let away = sign(magnitude(normal - tool), element.scale + radius + magnitude(tool)) != Ordering::Equal;
     if element.arc.is_some() && away {
-        Moves::to(clause::TRC_LOOK_05, normal)
-    } else {
-        Moves::none(clause::TRC_LOOK_05)
+        element.lead.set(clause::TRC_LOOK_05, normal);
     }
 }

@@ -31,14 +31,14 @@ enum Common {
 pub(crate) fn contact(first: &Element, second: &Element, radius: f64) -> Option<Junction> {
     let turn = Turn::between(first, second);
     let lines = first.arc.is_none() && second.arc.is_none();
-    let parallel = turn.turns == Ordering::Equal;
+    let parallel = turn.is_straight();
     if parallel && (lines || concentric(first, second)) {
         return None;
     }
     let scale = scale(first, second, radius);
     if radius == 0.0 || (parallel && turn.dot < 0.0) {
         // The end of both normals is the one common point there, or, without a radius, the nearest to P.
-        return Some(Junction::at(clause::TRC_SIDE_02, first.end_vector(radius), true));
+        return Some(Junction { first: first.end_vector(radius), clause: clause::TRC_SIDE_02, on_normals: true });
     }
     let counts = |z: &Vector| within_first(first, radius, *z, scale) && within_second(second, radius, *z, scale);
     let common = if lines { lines_meet(first, radius, turn) } else { curves_meet(first, second, radius, scale) };
@@ -56,7 +56,7 @@ pub(crate) fn contact(first: &Element, second: &Element, radius: f64) -> Option<
             },
         },
     }?;
-    Some(Junction::at(clause::TRC_SIDE_02, first.end + vector, false))
+    Some(Junction { first: first.end + vector, clause: clause::TRC_SIDE_02, on_normals: false })
 }
 
 /// Bounds every coordinate and radius that takes part.

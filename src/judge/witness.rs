@@ -118,12 +118,25 @@ fn place(block: &mut Block<Rational>, number: usize) -> Option<&mut Rational> {
     }
 }
 
+/// The blocks with one number replaced. Blocks that end at the same point keep ending at one point, so that a move of
+/// no length and a full circle stay what they are.
 fn with(blocks: &[Block<Rational>], index: usize, number: usize, value: Rational) -> Vec<Block<Rational>> {
     let mut moved = blocks.to_vec();
-    if let Some(place) = moved.get_mut(index).and_then(|block| place(block, number)) {
-        *place = value;
+    let joint = if number < 2 { end_of(&blocks[index]) } else { None };
+    for (other, block) in moved.iter_mut().enumerate() {
+        let together = other == index || (joint.is_some() && end_of(block) == joint);
+        if together && let Some(place) = place(block, number) {
+            place.clone_from(&value);
+        }
     }
     moved
+}
+
+fn end_of(block: &Block<Rational>) -> Option<[Rational; 2]> {
+    match &block.movement {
+        Movement::Line { end } | Movement::Arc { end, .. } => Some(end.clone()),
+        Movement::None | Movement::Dummy { .. } => None,
+    }
 }
 
 /// The end of the block's element that lies nearest to a point.
