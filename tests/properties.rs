@@ -32,7 +32,8 @@ impl Motion {
 
     fn exact(&self, [a, b]: &[Real; 2]) -> [Real; 2] {
         let of = |row: usize| {
-            &(Real::from(&self.matrix[row][0]) * a) + &(Real::from(&self.matrix[row][1]) * b)
+            &(Real::from(&self.matrix[row][0]) * a)
+                + &(Real::from(&self.matrix[row][1]) * b)
                 + Real::from(&self.shift[row])
         };
         [of(0), of(1)]
@@ -98,8 +99,7 @@ fn commutes(parameters: &Parameters, blocks: &[Block<Rational>], motion: &Motion
     scaled.arc_end_tolerance.numerator *= motion.scale;
     let (before, after) = (run(parameters, blocks), run(&scaled, &moved));
     prop_assert_eq!(before.alarm, after.alarm);
-    let plain: Vec<_> =
-        after.steps.iter().map(|step| (step.block, step.clause.id(), step.segment.clone())).collect();
+    let plain: Vec<_> = after.steps.iter().map(|step| (step.block, step.clause.id(), step.segment.clone())).collect();
     prop_assert_eq!(motion.run(&before), plain);
     // The first block's length depends on where the tool stands at the start, and of two contact points either may be
     // looked at first.

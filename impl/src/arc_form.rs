@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use radcomp_spec::{AlarmKind, Centre, Direction};
 
-use crate::plane::{Vector, direction, magnitude, perp};
+use crate::plane::{Vector, direction, greater, lesser, magnitude, perp};
 use crate::sign::sign;
 
 /// An arc that exists.
@@ -43,6 +43,7 @@ impl Arc {
     ///
     /// # Errors
     /// [TRC-ARC-06] for an arc with R; [TRC-ARC-02] and then [TRC-ARC-03] for one with centre words.
+    #[inline(always)]
     pub fn new(
         start: Vector,
         end: Vector,
@@ -54,7 +55,7 @@ impl Arc {
             Direction::Counterclockwise => 1.0,
             Direction::Clockwise => -1.0,
         };
-        let scale = magnitude(start).max(magnitude(end));
+        let scale = greater(magnitude(start), magnitude(end));
         match *centre {
             Centre::FromStart([a, b]) => Self::about(start, end, Vector::new(a, b), sense, scale, tolerance),
             Centre::Radius(radius) => Self::with_radius(start, end, radius, sense, scale),
@@ -66,6 +67,7 @@ impl Arc {
         if self.sense > 0.0 { Direction::Counterclockwise } else { Direction::Clockwise }
     }
 
+    #[inline(always)]
     fn about(
         start: Vector,
         end: Vector,
@@ -79,7 +81,7 @@ impl Arc {
         }
         let full = start == end;
         let (toward, start_radius) = direction(to_centre);
-        let scale = scale.max(start_radius);
+        let scale = greater(scale, start_radius);
         let (end_ray, end_radius) = if full {
             (-toward, start_radius)
         } else {
@@ -107,12 +109,13 @@ impl Arc {
         })
     }
 
+    #[inline(never)]
     fn with_radius(start: Vector, end: Vector, radius: f64, sense: f64, scale: f64) -> Result<Arc, AlarmKind> {
         let size = radius.abs();
         if start == end || size == 0.0 {
             return Err(AlarmKind::NoSuchArc);
         }
-        let scale = scale.max(size);
+        let scale = greater(scale, size);
         let (along, chord) = direction(end - start);
         let half = 0.5 * chord;
         let left = if radius > 0.0 { sense } else { -sense };
@@ -122,7 +125,7 @@ impl Arc {
             Ordering::Equal => (1.0, 0.0, 0.0),
             Ordering::Greater => {
                 let height = libm::sqrt((size - half) * (size + half));
-                (half / size, height / size, (half / height).min(MOST_AMPLIFIED))
+                (half / size, height / size, lesser(half / height, MOST_AMPLIFIED))
             }
         };
         let along_part = along * halfway;

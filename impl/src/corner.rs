@@ -5,8 +5,7 @@ use core::cmp::Ordering;
 use radcomp_spec::{AlarmKind, Direction, OuterCorner, clause};
 
 use crate::element::Element;
-use crate::junction::{Junction, Turn};
-use crate::plane::is_finite;
+use crate::junction::{Junction, Turn, in_range};
 use crate::sign::sign;
 
 /// Forms an outer corner.
@@ -16,27 +15,37 @@ use crate::sign::sign;
 #[inline(always)]
 pub(crate) fn outer(
     first: &Element,
-    second: &mut Element,
+    second: &Element,
     radius: f64,
     turn: Turn,
     rule: OuterCorner,
-) -> Result<Junction, AlarmKind> {
+    junction: &mut Junction,
+) -> Result<(), AlarmKind> {
     match rule {
-        OuterCorner::Arc => Ok(round(first, second, radius)),
-        OuterCorner::Intersection => by_intersection(first, second, radius, turn),
+        OuterCorner::Arc => {
+            round(first, second, radius, junction);
+            Ok(())
+        }
+        OuterCorner::Intersection => by_intersection(first, second, radius, turn, junction),
     }
 }
 
 /// [TRC-CORNER-10]
-fn round(first: &Element, second: &mut Element, radius: f64) -> Junction {
-    second.lead.set(clause::TRC_CORNER_10, second.start_vector(radius));
-    second.lead.round = Some(if first.side > 0.0 { Direction::Clockwise } else { Direction::Counterclockwise });
-    second.lead.centre = first.end;
-    Junction { first: first.end_vector(radius), clause: clause::TRC_CORNER_10, on_normals: true }
+fn round(first: &Element, second: &Element, radius: f64, junction: &mut Junction) {
+    junction.set(clause::TRC_CORNER_10, first.end_vector(radius));
+    junction.push(second.start_vector(radius));
+    junction.round = Some(if first.side > 0.0 { Direction::Clockwise } else { Direction::Counterclockwise });
+    junction.centre = first.end;
 }
 
 #[inline(always)]
-fn by_intersection(first: &Element, second: &mut Element, radius: f64, turn: Turn) -> Result<Junction, AlarmKind> {
+fn by_intersection(
+    first: &Element,
+    second: &Element,
+    radius: f64,
+    turn: Turn,
+    junction: &mut Junction,
+) -> Result<(), AlarmKind> {
     let acute = sign(turn.dot, turn.error) == Ordering::Less;
     let with_arc = first.arc.is_some() || second.arc.is_some();
     let clause = match (turn.toward_tool(first.side), acute) {
@@ -49,25 +58,20 @@ fn by_intersection(first: &Element, second: &mut Element, radius: f64, turn: Tur
     // A of [TRC-CORNER-08], or M of [TRC-CORNER-06]; [TRC-CORNER-09] is [TRC-CORNER-08] with α = 0.
     let beyond = if acute { radius } else { radius * turn.half_tangent() };
     let before = normal + first.last * beyond;
-    if !is_finite(before) {
-        return Err(AlarmKind::OutOfRange);
+    in_range(before)?;
+    // [TRC-CORNER-07]: the normal of an arc comes before or after.
+    if first.arc.is_some() {
+        junction.set(clause, normal);
+        junction.push(before);
+    } else {
+        junction.set(clause, before);
     }
-    let first_vector = if first.arc.is_some() { normal } else { before };
-    if acute || with_arc {
-        let after = second.start_vector(radius);
-        let lead = &mut second.lead;
-        lead.start(clause);
-        // [TRC-CORNER-07]
-        if first.arc.is_some() {
-            lead.push(before);
-        }
-        if acute {
-            // B of [TRC-CORNER-08].
-            lead.push(after - second.first * radius);
-        }
-        if second.arc.is_some() {
-            lead.push(after);
-        }
+    if acute {
+        // B of [TRC-CORNER-08].
+        junction.push(second.start_vector(radius) - second.first * radius);
     }
-    Ok(Junction { first: first_vector, clause, on_normals: true })
+    if second.arc.is_some() {
+        junction.push(second.start_vector(radius));
+    }
+    Ok(())
 }

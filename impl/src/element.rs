@@ -5,21 +5,20 @@ use core::cmp::Ordering;
 use radcomp_spec::Side;
 
 use crate::arc_form::Arc;
-use crate::junction::Moves;
-use crate::plane::{Vector, direction, magnitude, perp};
+use crate::plane::{Vector, direction, greater, lesser, magnitude, perp};
 use crate::sign::sign;
 
 /// A compensated element, with all that its two junctions ask of it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Element {
-    /// Programmed end.
-    pub end: Vector,
-    /// Programmed start.
-    pub start: Vector,
     /// Unit tangent at the start.
     pub first: Vector,
+    /// Programmed end.
+    pub end: Vector,
     /// Unit tangent at the end.
     pub last: Vector,
+    /// Programmed start.
+    pub start: Vector,
     /// σ: +1 when the tool runs left, -1 when it runs right. [TRC-PLANE-02]
     pub side: f64,
     /// Length of a line.
@@ -36,11 +35,6 @@ pub(crate) struct Element {
     pub block: usize,
     /// Its block moves at rapid rate.
     pub rapid: bool,
-    /// The corner moves at its start, before its own move. They are part of its block, which an alarm may keep from
-    /// moving.
-    pub lead: Moves,
-    /// Its own move starts on its own normal. [TRC-ARC-07]
-    pub lead_on_normal: bool,
 }
 
 /// σ of a side. [TRC-PLANE-02]
@@ -69,8 +63,6 @@ impl Element {
             arc: None,
             block: 0,
             rapid: false,
-            lead: Moves::none(),
-            lead_on_normal: false,
         }
     }
 
@@ -78,7 +70,7 @@ impl Element {
     #[inline(always)]
     pub fn set_line(&mut self, start: Vector, end: Vector) {
         let (along, length) = direction(end - start);
-        let scale = magnitude(start).max(magnitude(end));
+        let scale = greater(magnitude(start), magnitude(end));
         self.set_straight(start, end, along, length, scale, 1.0 + scale / length);
     }
 
@@ -86,7 +78,7 @@ impl Element {
     pub fn set_dummy(&mut self, start: Vector, vector: Vector) {
         let (along, length) = direction(vector);
         // The vector is an input, not a difference of coordinates.
-        self.set_straight(start, start + vector, along, length, magnitude(start).max(length), 1.0);
+        self.set_straight(start, start + vector, along, length, greater(magnitude(start), length), 1.0);
     }
 
     #[inline(always)]
@@ -146,7 +138,8 @@ impl Element {
 }
 
 /// Whether a tool of this radius runs on the arc's outside, or fits inside. [TRC-ARC-05]
+#[inline(always)]
 pub(crate) fn tool_fits(arc: &Arc, side: Side, radius: f64) -> bool {
-    let smaller = arc.start_radius.min(arc.end_radius);
-    sigma(side) * arc.sense < 0.0 || sign(smaller - radius, arc.scale.max(radius)) == Ordering::Greater
+    let smaller = lesser(arc.start_radius, arc.end_radius);
+    sigma(side) * arc.sense < 0.0 || sign(smaller - radius, greater(arc.scale, radius)) == Ordering::Greater
 }

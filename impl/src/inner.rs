@@ -17,31 +17,38 @@ use core::cmp::Ordering;
 use radcomp_spec::{AlarmKind, clause};
 
 use crate::element::Element;
-use crate::junction::{Junction, Turn};
-use crate::plane::Vector;
+use crate::junction::{Junction, Turn, in_range};
+use crate::plane::{Vector, greater, lesser};
 use crate::sign::sign;
 
 /// Forms an inner corner that is not tangent.
 ///
 /// # Errors
-/// [TRC-CORNER-05]
+/// [TRC-CORNER-05]; [TRC-MODE-07] where rounding leaves the intersection out of range.
 #[inline(always)]
-pub(crate) fn corner(first: &Element, second: &Element, radius: f64, turn: Turn) -> Result<Junction, AlarmKind> {
+pub(crate) fn corner(
+    first: &Element,
+    second: &Element,
+    radius: f64,
+    turn: Turn,
+    junction: &mut Junction,
+) -> Result<(), AlarmKind> {
     let tangent = turn.half_tangent();
-    let at = |clause, vector, on_normals| Junction { first: vector, clause, on_normals };
     if first.arc.is_none() && second.arc.is_none() {
-        let vector = first.end_vector(radius) - first.last * (radius * tangent);
-        return Ok(at(clause::TRC_CORNER_03, vector, true));
-    }
-    if radius == 0.0 {
+        junction.set(clause::TRC_CORNER_03, first.end_vector(radius) - first.last * (radius * tangent));
+    } else if radius == 0.0 {
         // Without a radius P is the intersection, and on the normal of an arc.
-        return Ok(at(clause::TRC_CORNER_04, first.end, true));
+        junction.set(clause::TRC_CORNER_04, first.end);
+    } else {
+        let z = with_arc(first, second, radius, turn, tangent)?;
+        junction.set(clause::TRC_CORNER_04, first.end + z);
+        junction.on_normals = false;
     }
-    let z = with_arc(first, second, radius, turn, tangent)?;
-    Ok(at(clause::TRC_CORNER_04, first.end + z, false))
+    in_range(junction.first)
 }
 
 /// The vector of an inner corner with an arc, relative to P.
+#[inline(always)]
 fn with_arc(first: &Element, second: &Element, radius: f64, turn: Turn, tangent: f64) -> Result<Vector, AlarmKind> {
     let sine = turn.cross.abs();
     // 1 + d and 1 - d by products, which keep their digits near a straight path and near a reversal.
@@ -64,13 +71,14 @@ fn with_arc(first: &Element, second: &Element, radius: f64, turn: Turn, tangent:
 }
 
 /// Bounds the terms of G, and what the coordinates' rounding makes of them through radii and tangents.
+#[inline(always)]
 fn overlap_scale(first: &Element, second: &Element, sine: f64, one_plus: f64, k1: f64, k2: f64) -> f64 {
     let terms = 2.0 * (k1 + k2) + 2.0 * k1 * k2;
     let radius = match (&first.arc, &second.arc) {
-        (Some(one), Some(two)) => one.end_radius.min(two.start_radius),
+        (Some(one), Some(two)) => lesser(one.end_radius, two.start_radius),
         (Some(one), None) => one.end_radius,
         (None, Some(two)) => two.start_radius,
         (None, None) => 1.0,
     };
-    one_plus + terms + (sine + terms) * first.scale.max(second.scale) / radius
+    one_plus + terms + (sine + terms) * greater(first.scale, second.scale) / radius
 }

@@ -8,43 +8,61 @@ use radcomp_spec::{AlarmKind, Clause, Direction, OuterCorner, clause};
 use crate::corner;
 use crate::element::Element;
 use crate::inner;
-use crate::plane::{Vector, cross, dot};
+use crate::plane::{Vector, cross, dot, is_finite};
 use crate::side_change;
 use crate::sign::sign;
 
-/// The moves of a corner, after its first vector. [TRC-CORNER-12]
+/// The junction at the start of an element. It is formed in place: a copy costs as much as its geometry.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Moves {
-    /// The clause that made them.
+pub(crate) struct Junction {
+    /// Its first vector: the end of the own move of the element before.
+    pub first: Vector,
+    /// The clause that formed it.
     pub clause: Clause,
+    /// An arc on either side ends or starts on its own normal. [TRC-ARC-07]
+    pub on_normals: bool,
     /// How many of `points` count.
-    pub count: u8,
+    count: u8,
     /// The one move is an arc of this sense about `centre`. [TRC-CORNER-10]
     pub round: Option<Direction>,
-    /// The end of each move.
-    pub points: [Vector; 3],
+    /// The ends of the moves from the first vector to the last one. [TRC-CORNER-12]
+    points: [Vector; 3],
     /// The centre of an arc.
     pub centre: Vector,
 }
 
-impl Moves {
-    /// No moves.
-    pub fn none() -> Moves {
+impl Junction {
+    /// A junction that no elements have formed yet.
+    pub fn unused() -> Junction {
         let zero = Vector::new(0.0, 0.0);
-        Moves { clause: clause::TRC_CORNER_12, count: 0, round: None, points: [zero; 3], centre: zero }
+        Junction {
+            first: zero,
+            clause: clause::TRC_CORNER_12,
+            on_normals: true,
+            count: 0,
+            round: None,
+            points: [zero; 3],
+            centre: zero,
+        }
     }
 
-    /// Makes these one straight move.
+    /// Makes this a junction of one vector, on the normals; straight moves may be added.
     #[inline(always)]
-    pub fn set(&mut self, clause: Clause, point: Vector) {
-        self.start(clause);
-        self.push(point);
+    pub fn set(&mut self, clause: Clause, first: Vector) {
+        (self.first, self.clause) = (first, clause);
+        self.clear();
     }
 
-    /// Makes these no moves, to which straight ones are added.
+    /// Makes this a junction without moves, on the normals.
     #[inline(always)]
-    pub fn start(&mut self, clause: Clause) {
-        (self.clause, self.count, self.round) = (clause, 0, None);
+    pub fn clear(&mut self) {
+        (self.on_normals, self.count, self.round) = (true, 0, None);
+    }
+
+    /// The moves have been made.
+    #[inline(always)]
+    pub fn drop_moves(&mut self) {
+        self.count = 0;
     }
 
     /// Adds a straight move; a corner has at most three. [TRC-CORNER-07]
@@ -62,23 +80,11 @@ impl Moves {
         self.points.get(..usize::from(self.count)).unwrap_or(&[])
     }
 
-    /// The last vector of the junction.
+    /// The end of the last move.
     #[inline]
     pub fn last(&self) -> Option<Vector> {
         self.points().last().copied()
     }
-}
-
-/// A formed junction, but for the moves from its first vector to its last: they are put in the second element's
-/// [`Element::lead`], where they stay until that element is emitted.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Junction {
-    /// Its first vector: the end of the first element's own move.
-    pub first: Vector,
-    /// The clause that formed it.
-    pub clause: Clause,
-    /// An arc on either side ends or starts on its own normal. [TRC-ARC-07]
-    pub on_normals: bool,
 }
 
 /// What a profile says of junctions.
@@ -130,32 +136,53 @@ impl Turn {
     }
 }
 
-/// Forms the corner of two elements on one side; the second has no lead yet.
+/// Forms the corner of two elements on one side.
 ///
 /// # Errors
-/// [TRC-CORNER-05], [TRC-CORNER-09], at the second block.
+/// [TRC-CORNER-05], [TRC-CORNER-09], at the second block; [TRC-MODE-07] where rounding leaves a corner out of range.
 #[inline(always)]
-pub(crate) fn corner(first: &Element, second: &mut Element, radius: f64, rules: Rules) -> Result<Junction, AlarmKind> {
+pub(crate) fn corner(
+    first: &Element,
+    second: &Element,
+    radius: f64,
+    rules: Rules,
+    junction: &mut Junction,
+) -> Result<(), AlarmKind> {
     let turn = Turn::between(first, second);
     match turn.toward_tool(first.side) {
         Ordering::Equal if turn.dot > 0.0 => {
             // [TRC-CORNER-02]
-            Ok(Junction { first: first.end_vector(radius), clause: clause::TRC_CORNER_02, on_normals: true })
+            junction.set(clause::TRC_CORNER_02, first.end_vector(radius));
+            Ok(())
         }
         Ordering::Equal if rules.reversal == Reversal::Alarm => Err(AlarmKind::Reversal),
-        Ordering::Greater => inner::corner(first, second, radius, turn),
-        Ordering::Equal | Ordering::Less => corner::outer(first, second, radius, turn, rules.outer),
+        Ordering::Greater => inner::corner(first, second, radius, turn, junction),
+        Ordering::Equal | Ordering::Less => corner::outer(first, second, radius, turn, rules.outer, junction),
     }
 }
 
-/// Forms the junction of two elements on different sides, the second without a lead yet; `forbidden` is not asked here.
-pub(crate) fn change_of_side(first: &Element, second: &mut Element, radius: f64, rules: Rules) -> Junction {
-    if rules.side_change == SideChange::IntersectionWithin
-        && let Some(junction) = side_change::contact(first, second, radius)
-    {
-        return junction;
+/// Forms the junction of two elements on different sides; `forbidden` is not asked here.
+///
+/// # Errors
+/// [TRC-MODE-07] where rounding leaves a contact point out of range.
+pub(crate) fn change_of_side(
+    first: &Element,
+    second: &Element,
+    radius: f64,
+    rules: Rules,
+    junction: &mut Junction,
+) -> Result<(), AlarmKind> {
+    if rules.side_change == SideChange::IntersectionWithin && side_change::contact(first, second, radius, junction) {
+        return in_range(junction.first);
     }
     // [TRC-SIDE-03]
-    second.lead.set(clause::TRC_SIDE_03, second.start_vector(radius));
-    Junction { first: first.end_vector(radius), clause: clause::TRC_SIDE_03, on_normals: true }
+    junction.set(clause::TRC_SIDE_03, first.end_vector(radius));
+    junction.push(second.start_vector(radius));
+    Ok(())
+}
+
+/// Every vector but intersections is a sum of few numbers within range, and finite already. [TRC-MODE-07]
+#[inline(always)]
+pub(crate) fn in_range(vector: Vector) -> Result<(), AlarmKind> {
+    if is_finite(vector) { Ok(()) } else { Err(AlarmKind::OutOfRange) }
 }

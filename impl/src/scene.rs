@@ -9,8 +9,8 @@ use crate::arc_form::Arc;
 use crate::element::{Element, sigma, tool_fits};
 use crate::engine::Sink;
 use crate::geometry::{Begin, End, Geometry, Meeting};
-use crate::junction::{self, Junction, Moves, Rules};
-use crate::plane::{Vector, is_finite, magnitude};
+use crate::junction::{self, Junction, Rules};
+use crate::plane::{Vector, magnitude};
 use crate::sign::sign;
 use crate::wedge;
 
@@ -31,11 +31,14 @@ pub(crate) struct State {
     pub radius_in_force: f64,
     /// The tool radius: the one in force in the start-up block. [TRC-MODE-03]
     radius: f64,
-    /// The pending element, when the look-ahead has one, and the element read, while its junction is formed: they
-    /// change places instead of being copied.
+    /// The pending element, when the look-ahead has one, and the element read: they change places instead of being
+    /// copied.
     elements: [Element; 2],
-    /// The second of them is the pending one.
-    second_pending: bool,
+    /// The junction at the start of each element. The moves of it that the element owns are part of its block, which
+    /// an alarm may keep from moving; where it owns none, the junction has none any more.
+    junctions: [Junction; 2],
+    /// Which of them is the pending one, 0 or 1.
+    pending: usize,
 }
 
 impl State {
@@ -57,22 +60,24 @@ impl State {
             radius_in_force: 0.0,
             radius: 0.0,
             elements: [Element::unused(); 2],
-            second_pending: false,
+            junctions: [Junction::unused(); 2],
+            pending: 0,
         }
     }
 
     /// The element read. It is put there as soon as its form has been found sound.
     #[inline(always)]
     pub fn next(&mut self) -> &mut Element {
-        meeting(&mut self.elements, self.second_pending).1
+        let (_, next) = places(self.pending);
+        &mut self.elements[next]
     }
 }
 
-/// The pending element and the one read.
+/// The places of the pending element and of the element read.
 #[inline(always)]
-fn meeting(elements: &mut [Element; 2], second_pending: bool) -> (&mut Element, &mut Element) {
-    let [one, other] = elements;
-    if second_pending { (other, one) } else { (one, other) }
+fn places(pending: usize) -> (usize, usize) {
+    // The masks tell the compiler that the places exist.
+    (pending & 1, !pending & 1)
 }
 
 /// The state, with the block read and the sink of the path.
@@ -88,12 +93,18 @@ pub(crate) struct Scene<'a, S> {
 }
 
 impl<S: Sink> Scene<'_, S> {
-    /// Completes the element read: its block, its side, and that its path starts on its own normal without a lead.
+    /// Completes the element read.
     #[inline(always)]
     fn complete(&mut self, side: Side) {
         let element = self.state.next();
         (element.side, element.block, element.rapid) = (sigma(side), self.block, self.rapid);
-        (element.lead.count, element.lead_on_normal) = (0, true);
+    }
+
+    /// Completes the element read, whose junction was settled without it or is no junction.
+    fn complete_settled(&mut self, side: Side) {
+        self.complete(side);
+        let (_, next) = places(self.state.pending);
+        self.state.junctions[next].clear();
     }
 }
 
@@ -108,17 +119,19 @@ struct PathEnd<'a, S> {
 impl<S: Sink> PathEnd<'_, S> {
     /// Emits corner moves of the block. Moves of no length are not made. [TRC-CORNER-12]
     #[inline(always)]
-    fn corner_moves(&mut self, moves: &Moves) {
-        for point in moves.points() {
+    fn corner_moves(&mut self, junction: &Junction) {
+        for point in junction.points() {
             if *point == *self.tool {
                 continue;
             }
             let end = (*point).into();
-            let segment = match moves.round {
-                None => Segment::Line { end },
-                Some(direction) => Segment::Arc { end, centre: moves.centre.into(), direction, full: false },
-            };
-            self.emit(moves.clause, false, segment);
+            match junction.round {
+                None => self.emit(junction.clause, false, Segment::Line { end }),
+                Some(direction) => {
+                    let centre = junction.centre.into();
+                    self.emit(junction.clause, false, Segment::Arc { end, centre, direction, full: false });
+                }
+            }
             *self.tool = *point;
         }
     }
@@ -126,11 +139,13 @@ impl<S: Sink> PathEnd<'_, S> {
     #[inline(always)]
     fn own_move(&mut self, arc: Option<&Arc>, to: Vector, full: bool, clause: Clause) {
         let end = to.into();
-        let segment = match arc {
-            None => Segment::Line { end },
-            Some(arc) => Segment::Arc { end, centre: arc.centre.into(), direction: arc.direction(), full },
-        };
-        self.emit(clause, true, segment);
+        match arc {
+            None => self.emit(clause, true, Segment::Line { end }),
+            Some(arc) => {
+                let (centre, direction) = (arc.centre.into(), arc.direction());
+                self.emit(clause, true, Segment::Arc { end, centre, direction, full });
+            }
+        }
         *self.tool = to;
     }
 
@@ -141,7 +156,8 @@ impl<S: Sink> PathEnd<'_, S> {
 }
 
 impl<S: Sink> Geometry for Scene<'_, S> {
-    type Junction = Junction;
+    /// It is [`State::junctions`] that holds it.
+    type Junction = ();
 
     #[inline(always)]
     fn tool_fits(&mut self, side: Side) -> bool {
@@ -150,49 +166,46 @@ impl<S: Sink> Geometry for Scene<'_, S> {
     }
 
     #[inline(always)]
-    fn junction(&mut self, meeting: Meeting, side: Side) -> Result<Junction, AlarmKind> {
+    fn junction(&mut self, meeting: Meeting, side: Side) -> Result<(), AlarmKind> {
         self.complete(side);
-        let State { radius, rules, elements, second_pending, .. } = &mut *self.state;
-        let (pending, next) = self::meeting(elements, *second_pending);
-        let junction = match meeting {
-            Meeting::Corner => junction::corner(pending, next, *radius, *rules)?,
-            // [TRC-START-02]
+        let State { radius, rules, elements, junctions, pending, .. } = &mut *self.state;
+        let (first, second) = places(*pending);
+        let junction = &mut junctions[second];
+        let (first, second) = (&elements[first], &elements[second]);
+        match meeting {
+            Meeting::Corner => junction::corner(first, second, *radius, *rules, junction),
             Meeting::StartUp => {
-                Junction { first: next.start_vector(*radius), clause: clause::TRC_START_02, on_normals: true }
+                junction.set(clause::TRC_START_02, second.start_vector(*radius));
+                Ok(())
             }
-            Meeting::SideChange => junction::change_of_side(pending, next, *radius, *rules),
-        };
-        // The points of a lead are finite already.
-        if is_finite(junction.first) { Ok(junction) } else { Err(AlarmKind::OutOfRange) }
+            Meeting::SideChange => junction::change_of_side(first, second, *radius, *rules, junction),
+        }
     }
 
     #[inline(always)]
-    fn settle(&mut self, end: End<Junction>, start_up: bool) -> Result<(), AlarmKind> {
-        let State { radius, elements, second_pending, tool, owner, reversed, .. } = &mut *self.state;
-        let (pending, next) = meeting(elements, *second_pending);
-        let (to, clause, on_normals) = match &end {
-            End::Junction(junction) => (junction.first, junction.clause, junction.on_normals),
-            // Sums of numbers within range: finite.
-            End::Normal(clause) => (pending.end_vector(*radius), *clause, true),
-            End::Programmed(clause) => (pending.end, *clause, true),
+    fn settle(&mut self, end: End<()>, start_up: bool) -> Result<(), AlarmKind> {
+        let State { radius, elements, junctions, pending, tool, owner, reversed, .. } = &mut *self.state;
+        let (pending, next) = places(*pending);
+        let (element, start, behind) = (&elements[pending], &junctions[pending], &junctions[next]);
+        let (to, clause, on_normal) = match end {
+            End::Junction(()) => (behind.first, behind.clause, behind.on_normals),
+            End::Normal(clause) => (element.end_vector(*radius), clause, true),
+            End::Programmed(clause) => (element.end, clause, true),
         };
-        let arc = pending.arc.as_ref();
-        let full = arc.is_some_and(|arc| arc.full) && pending.lead_on_normal && on_normals;
+        let arc = element.arc.as_ref();
+        let full = arc.is_some_and(|arc| arc.full) && start.on_normals && on_normal;
         if *reversed == ReversedPath::Alarm && !start_up {
-            let from = pending.lead.last().unwrap_or(*tool);
-            if let Some(kind) = wedge::reversed(pending, from, to, full) {
+            let from = start.last().unwrap_or(*tool);
+            if let Some(kind) = wedge::reversed(element, from, to, full) {
                 return Err(kind);
             }
         }
-        let mut path = PathEnd { tool, sink: self.sink, block: pending.block, rapid: pending.rapid };
-        path.corner_moves(&pending.lead);
+        let mut path = PathEnd { tool, sink: self.sink, block: element.block, rapid: element.rapid };
+        path.corner_moves(start);
         path.own_move(arc, to, full, clause);
-        if let End::Junction(junction) = end {
-            next.lead_on_normal = junction.on_normals;
-            if *owner == CornerOwner::Previous {
-                path.corner_moves(&next.lead);
-                next.lead.count = 0;
-            }
+        if *owner == CornerOwner::Previous && end == End::Junction(()) {
+            path.corner_moves(behind);
+            junctions[next].drop_moves();
         }
         Ok(())
     }
@@ -203,16 +216,16 @@ impl<S: Sink> Geometry for Scene<'_, S> {
     }
 
     fn dummy(&mut self) {
-        let State { elements, second_pending, tool, .. } = &mut *self.state;
-        let (_, dummy) = meeting(elements, *second_pending);
-        PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid }.corner_moves(&dummy.lead);
+        let State { junctions, pending, tool, .. } = &mut *self.state;
+        let (_, dummy) = places(*pending);
+        PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid }.corner_moves(&junctions[dummy]);
     }
 
     #[inline(always)]
     fn follow(&mut self, clause: Clause) {
-        let State { elements, second_pending, tool, .. } = &mut *self.state;
-        let (_, next) = meeting(elements, *second_pending);
-        let arc = next.arc.as_ref();
+        let State { elements, pending, tool, .. } = &mut *self.state;
+        let (_, next) = places(*pending);
+        let arc = elements[next].arc.as_ref();
         let mut path = PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid };
         path.own_move(arc, self.end, arc.is_some_and(|arc| arc.full), clause);
     }
@@ -222,24 +235,30 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         match begin {
             Begin::Junction => {}
             Begin::StartUp => {
-                self.complete(side);
+                self.complete_settled(side);
                 self.state.radius = self.state.radius_in_force;
             }
             Begin::Settled => {
-                self.complete(side);
-                let State { radius, elements, second_pending, tool, .. } = &mut *self.state;
-                line_in(meeting(elements, *second_pending).1, *radius, *tool);
+                self.complete_settled(side);
+                self.line_in();
             }
         }
-        self.state.second_pending = !self.state.second_pending;
+        self.state.pending = !self.state.pending & 1;
     }
 }
 
-/// The move to the normal of an arc whose junction was settled without it, unless the tool stands there. [TRC-LOOK-05]
-fn line_in(element: &mut Element, radius: f64, tool: Vector) {
-    let normal = element.start_vector(radius);
-    let away = sign(magnitude(normal - tool), element.scale + radius + magnitude(tool)) != Ordering::Equal;
-    if element.arc.is_some() && away {
-        element.lead.set(clause::TRC_LOOK_05, normal);
+impl<S> Scene<'_, S> {
+    /// The move to the normal of an arc whose junction was settled without it, unless the tool stands there.
+    /// [TRC-LOOK-05]
+    fn line_in(&mut self) {
+        let State { radius, elements, junctions, pending, tool, .. } = &mut *self.state;
+        let (_, next) = places(*pending);
+        let element = &elements[next];
+        let normal = element.start_vector(*radius);
+        let away = sign(magnitude(normal - *tool), element.scale + *radius + magnitude(*tool)) != Ordering::Equal;
+        if element.arc.is_some() && away {
+            junctions[next].set(clause::TRC_LOOK_05, normal);
+            junctions[next].push(normal);
+        }
     }
 }

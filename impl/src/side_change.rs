@@ -27,18 +27,19 @@ enum Common {
     Two(Vector, Vector),
 }
 
-/// The junction at the contact point, if one counts.
-pub(crate) fn contact(first: &Element, second: &Element, radius: f64) -> Option<Junction> {
+/// Forms the junction at the contact point, if one counts; answers whether one does.
+pub(crate) fn contact(first: &Element, second: &Element, radius: f64, junction: &mut Junction) -> bool {
     let turn = Turn::between(first, second);
     let lines = first.arc.is_none() && second.arc.is_none();
     let parallel = turn.is_straight();
     if parallel && (lines || concentric(first, second)) {
-        return None;
+        return false;
     }
     let scale = scale(first, second, radius);
     if radius == 0.0 || (parallel && turn.dot < 0.0) {
         // The end of both normals is the one common point there, or, without a radius, the nearest to P.
-        return Some(Junction { first: first.end_vector(radius), clause: clause::TRC_SIDE_02, on_normals: true });
+        junction.set(clause::TRC_SIDE_02, first.end_vector(radius));
+        return true;
     }
     let counts = |z: &Vector| within_first(first, radius, *z, scale) && within_second(second, radius, *z, scale);
     let common = if lines { lines_meet(first, radius, turn) } else { curves_meet(first, second, radius, scale) };
@@ -55,8 +56,12 @@ pub(crate) fn contact(first: &Element, second: &Element, radius: f64) -> Option<
                 Ordering::Equal => None,
             },
         },
-    }?;
-    Some(Junction { first: first.end + vector, clause: clause::TRC_SIDE_02, on_normals: false })
+    };
+    if let Some(vector) = vector {
+        junction.set(clause::TRC_SIDE_02, first.end + vector);
+        junction.on_normals = false;
+    }
+    vector.is_some()
 }
 
 /// Bounds every coordinate and radius that takes part.

@@ -6,13 +6,13 @@ use radcomp_spec::AlarmKind;
 
 use crate::arc_form::Arc;
 use crate::element::Element;
-use crate::plane::{Vector, cross, dot, magnitude};
+use crate::plane::{Vector, cross, dot, greater, magnitude};
 use crate::sign::sign;
 
 /// The alarm of a compensated element on which the tool's centre would run backwards from `from` to `to`; `full` when
 /// it is run as a full circle.
 pub(crate) fn reversed(element: &Element, from: Vector, to: Vector, full: bool) -> Option<AlarmKind> {
-    let scale = element.scale.max(magnitude(from)).max(magnitude(to));
+    let scale = greater(element.scale, greater(magnitude(from), magnitude(to)));
     match &element.arc {
         None => {
             let travel = dot(to - from, element.last);

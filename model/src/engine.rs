@@ -66,7 +66,7 @@ pub(crate) struct Pending {
     pub(crate) side: Side,
     /// The corner moves before its own move that it owns, with their clause. They are made when the block is:
     /// an alarm at the block stops them too ([TRC-MODE-06]).
-    lead_in: Option<(Clause, Vec<Segment<Real>>)>,
+    lead_in: Option<LeadIn>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,6 +81,9 @@ impl Pending {
         self.element.last_arm().normal(self.side, radius)
     }
 }
+
+/// Corner moves and the clause that made them.
+type LeadIn = (Clause, Vec<Segment<Real>>);
 
 /// How the junction after the pending block came about.
 struct Ending {
@@ -159,6 +162,7 @@ impl Engine {
         let cancels = block.compensation == Some(Compensation::Off);
         if let Some(radius) = &block.radius {
             let radius = Real::from(radius);
+            // [TRC-MODE-03]
             if self.mode == Mode::Offset && !cancels && radius != self.radius {
                 return self.alarm(number, AlarmKind::OffsetChangedInMode, judgement);
             }
@@ -171,11 +175,13 @@ impl Engine {
         if self.mode == Mode::Offset && cancels {
             return self.cancel_then(number, block, element, None, judgement);
         }
+        // [TRC-MODE-02] the last code before a block that moves counts; [TRC-MODE-05] the same one again changes nothing.
         match block.compensation {
             Some(Compensation::Off) => self.code = None,
             Some(Compensation::On(side)) => self.code = Some(side),
             None => {}
         }
+        // [TRC-CORNER-11] before the junction with this block is formed.
         if let Some(corner) = block.corner {
             self.outer_corner = corner;
         }
@@ -236,6 +242,7 @@ impl Engine {
         side: Side,
         judgement: &mut Judgement<'_>,
     ) -> Answer {
+        // [TRC-START-03]
         if matches!(element.shape, Shape::Arc { .. }) {
             return self.alarm(number, AlarmKind::ArcAtStartUp, judgement);
         }
@@ -288,6 +295,7 @@ impl Engine {
         {
             return self.dummy(number, block.rapid, &element, side, judgement);
         }
+        // [TRC-DUMMY-04] nothing is pending after a dummy block, and nothing is counted then.
         if self.pending.is_some() {
             self.held.push((number, block.rapid));
             if self.held.len() > usize::from(self.parameters.non_moving_allowed) {
@@ -358,7 +366,7 @@ impl Engine {
         &mut self,
         junction: Junction,
         judgement: &mut Judgement<'_>,
-    ) -> Result<Option<(Clause, Vec<Segment<Real>>)>, Stop> {
+    ) -> Result<Option<LeadIn>, Stop> {
         let Some((block, rapid)) = self.pending.as_ref().map(|pending| (pending.block, pending.rapid)) else {
             return Err(Stop::Contradiction);
         };
@@ -492,6 +500,7 @@ impl Engine {
         clause: Clause,
         judgement: &mut Judgement<'_>,
     ) -> Answer {
+        // [TRC-CANCEL-04]
         if matches!(element.shape, Shape::Arc { .. }) {
             return self.alarm(number, AlarmKind::ArcAtCancel, judgement);
         }

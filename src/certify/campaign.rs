@@ -55,25 +55,21 @@ pub struct Campaign {
 pub struct Outcome {
     /// The counts.
     pub tally: Tally,
-    /// Failed programs, in order; at most [`MOST_FAILURES`].
+    /// Failed programs, in order; at most 200.
     pub failures: Vec<Failure>,
     /// Failures of one cause: the group's name, how many, and the smallest program found.
     pub groups: Vec<(String, u64, Failure)>,
 }
 
 /// How many failed programs are kept.
-pub const MOST_FAILURES: usize = 200;
+const MOST_FAILURES: usize = 200;
 /// How many causes are minimised.
 const MOST_GROUPS: usize = 8;
 /// How many programs a thread takes at a time.
 const CHUNK: u64 = 60;
 
 /// Judges a device. `make` makes one for each thread; `progress` hears how many programs are done.
-pub fn certify<D: Device>(
-    campaign: &Campaign,
-    make: impl Fn() -> D + Sync,
-    progress: impl Fn(u64) + Sync,
-) -> Outcome {
+pub fn certify<D: Device>(campaign: &Campaign, make: impl Fn() -> D + Sync, progress: impl Fn(u64) + Sync) -> Outcome {
     let mut outcome = Outcome::default();
     let mut groups = BTreeMap::new();
     judge_vectors(campaign, &mut make(), &mut outcome, &mut groups);

@@ -270,6 +270,5 @@ fn write_counterexamples(folder: &Path, outcome: &Outcome, profile: &Profile) ->
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    fs::write(path, text)
-        .map_err(|reason| Failure::Input(format!("{} cannot be written: {reason}", path.display())))
+    fs::write(path, text).map_err(|reason| Failure::Input(format!("{} cannot be written: {reason}", path.display())))
 }

@@ -2,7 +2,7 @@
 
 mod builtin;
 
-pub use builtin::Builtin;
+pub use builtin::{Builtin, round};
 
 use radcomp_spec::{Alarm, Block, Parameters, Step};
 use rug::Rational;

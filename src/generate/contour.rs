@@ -24,16 +24,8 @@ pub(super) enum MoveShape {
 }
 
 /// Directions with whole lengths: the vector, and its length.
-const DIRECTIONS: [(Whole, i64); 8] = [
-    ([1, 0], 1),
-    ([0, 1], 1),
-    ([3, 4], 5),
-    ([4, 3], 5),
-    ([5, 12], 13),
-    ([8, 15], 17),
-    ([7, 24], 25),
-    ([20, 21], 29),
-];
+const DIRECTIONS: [(Whole, i64); 8] =
+    [([1, 0], 1), ([0, 1], 1), ([3, 4], 5), ([4, 3], 5), ([5, 12], 13), ([8, 15], 17), ([7, 24], 25), ([20, 21], 29)];
 
 /// Points of the circle with radius 65 that have whole coordinates, in one eighth; the rest by symmetry.
 const ON_CIRCLE_65: [Whole; 5] = [[65, 0], [63, 16], [60, 25], [56, 33], [52, 39]];

@@ -1,7 +1,7 @@
 //! Comparison of a device's path with one outcome of the model.
 
-use radcomp_spec::{Alarm, Clause, Segment, Step};
 use radcomp_model::Run;
+use radcomp_spec::{Alarm, Clause, Segment, Step};
 
 use super::stroke::{Shape, Stroke, distance, strokes};
 use crate::device::Answer;
@@ -121,10 +121,7 @@ fn differ(expected: Option<&Stroke>, observed: Option<&Stroke>, delta: f64) -> O
         (Shape::Hold, Shape::Hold) if off > delta => return Some(Difference::Place(off)),
         (Shape::Hold, Shape::Hold) => return (expected.block != observed.block).then_some(Difference::Block),
         (Shape::Line, Shape::Line) => {}
-        (
-            Shape::Arc { centre: c1, direction: d1, full: f1 },
-            Shape::Arc { centre: c2, direction: d2, full: f2 },
-        ) => {
+        (Shape::Arc { centre: c1, direction: d1, full: f1 }, Shape::Arc { centre: c2, direction: d2, full: f2 }) => {
             if d1 != d2 || f1 != f2 {
                 return Some(Difference::Kind);
             }

@@ -56,12 +56,7 @@ pub struct Judged {
 }
 
 /// Judges a device's answer to one program.
-pub fn judge(
-    device: &mut dyn Device,
-    parameters: &Parameters,
-    blocks: &[Block<Rational>],
-    budget: &Budget,
-) -> Judged {
+pub fn judge(device: &mut dyn Device, parameters: &Parameters, blocks: &[Block<Rational>], budget: &Budget) -> Judged {
     let exact = run(parameters, blocks);
     let answer = match device.answer(parameters, blocks) {
         Ok(answer) => answer,
@@ -74,12 +69,11 @@ pub fn judge(
     if let Some(input) = witness::construct(parameters, blocks, &exact, &answer, beta, budget.delta) {
         return Judged { verdict: Verdict::Witnessed(input), exact };
     }
-    let verdict = match fork::find(parameters, blocks, beta, |run| {
-        compare::divergence(run, &answer, budget.delta).is_none()
-    }) {
-        Ok(flips) => Verdict::Admissible(flips),
-        Err(exhausted) if exhausted.limit_hit => Verdict::ForkLimit(Box::new(divergence)),
-        Err(_) => Verdict::Inadmissible(Box::new(divergence)),
-    };
+    let verdict =
+        match fork::find(parameters, blocks, beta, |run| compare::divergence(run, &answer, budget.delta).is_none()) {
+            Ok(flips) => Verdict::Admissible(flips),
+            Err(exhausted) if exhausted.limit_hit => Verdict::ForkLimit(Box::new(divergence)),
+            Err(_) => Verdict::Inadmissible(Box::new(divergence)),
+        };
     Judged { verdict, exact }
 }

@@ -80,7 +80,8 @@ fn path(vector: &Vector, program: &Program, run: &Run) -> Result<(), String> {
         let Some(expected) = vector.path.get(index) else {
             return Err(format!("step {}: nothing expected, got `{}`", index + 1, got.unwrap_or_default()));
         };
-        let differs = || format!("step {}: expected `{expected}`, got `{}`", index + 1, got.clone().unwrap_or_default());
+        let differs =
+            || format!("step {}: expected `{expected}`, got `{}`", index + 1, got.clone().unwrap_or_default());
         let step = run.steps.get(index).ok_or_else(differs)?;
         let line = program.blocks.get(step.block).map_or(0, |read| read.line).to_string();
         let words: Vec<&str> = expected.split_whitespace().collect();

@@ -108,7 +108,10 @@ impl Vector {
                 .iter()
                 .find(|entry| entry.parameter.ends_with(&format!(".{name}")))
                 .ok_or_else(|| format!("no parameter {name}"))?;
-            text += &format!("{} = {{ value = {value}, source = \"D\", clause = \"{}\" }}\n", entry.parameter, entry.clause);
+            text += &format!(
+                "{} = {{ value = {value}, source = \"D\", clause = \"{}\" }}\n",
+                entry.parameter, entry.clause
+            );
         }
         Profile::parse(&text, "vector").map_err(|error| error.to_string())
     }

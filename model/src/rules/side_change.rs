@@ -122,13 +122,7 @@ fn line_line(
 
 /// Whether the point lies no farther than r from the untrimmed offset element, measured on its offset curve's line or
 /// from its nearer end.
-fn within(
-    point: &Vector,
-    element: &Element,
-    side: Side,
-    radius: &Real,
-    judgement: &mut Judgement<'_>,
-) -> bool {
+fn within(point: &Vector, element: &Element, side: Side, radius: &Real, judgement: &mut Judgement<'_>) -> bool {
     let margin = match &element.shape {
         Shape::Line { length, .. } => {
             // How far the point lies beyond the start and beyond the end, along the line.

@@ -1,10 +1,8 @@
 //! The f64 implementation as the engine of a run. It gives no advisories.
 
+use radcomp::device::round;
 use radcomp_impl::{Engine, Sink};
-use radcomp_model::number::nearest_f64;
-use radcomp_spec::block::Point;
-use radcomp_spec::{Block, Centre, Movement, Step};
-use rug::Rational;
+use radcomp_spec::Step;
 
 use super::{Ending, Outlet};
 use crate::command::failure::{Failure, Verdict};
@@ -18,7 +16,7 @@ pub fn run(control: &Control, blocks: Blocks<'_>, mut outlet: Outlet<'_, f64>) -
             Ok(block) => block,
             Err(diagnostic) => return outlet.end(control, Ending::Refused(Box::new(diagnostic))),
         };
-        let rounded = rounded(&block.read.block);
+        let rounded = round(&block.read.block);
         outlet.ledger.add(block);
         let stopped = engine.push(&rounded, &mut outlet);
         outlet.printed()?;
@@ -35,29 +33,5 @@ pub fn run(control: &Control, blocks: Blocks<'_>, mut outlet: Outlet<'_, f64>) -
 impl Sink for Outlet<'_, f64> {
     fn step(&mut self, step: Step<f64>) {
         Outlet::step(self, &step);
-    }
-}
-
-/// The block with every number rounded to the nearest double.
-fn rounded(block: &Block<Rational>) -> Block<f64> {
-    let point = |[a, b]: &Point<Rational>| [nearest_f64(a), nearest_f64(b)];
-    let movement = match &block.movement {
-        Movement::None => Movement::None,
-        Movement::Line { end } => Movement::Line { end: point(end) },
-        Movement::Dummy { vector } => Movement::Dummy { vector: point(vector) },
-        Movement::Arc { end, centre, direction } => {
-            let centre = match centre {
-                Centre::FromStart(vector) => Centre::FromStart(point(vector)),
-                Centre::Radius(radius) => Centre::Radius(nearest_f64(radius)),
-            };
-            Movement::Arc { end: point(end), centre, direction: *direction }
-        }
-    };
-    Block {
-        movement,
-        rapid: block.rapid,
-        compensation: block.compensation,
-        radius: block.radius.as_ref().map(nearest_f64),
-        corner: block.corner,
     }
 }
