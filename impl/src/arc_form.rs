@@ -5,6 +5,7 @@ use core::cmp::Ordering;
 
 use radcomp_spec::{AlarmKind, Centre, Direction};
 
+use crate::element::Element;
 use crate::plane::{Vector, direction, greater, lesser, magnitude, perp};
 use crate::sign::sign;
 
@@ -21,12 +22,6 @@ pub(crate) struct Arc {
     pub start_radius: f64,
     /// Distance of the end from the centre; the two differ within the tolerance. [TRC-ARC-04]
     pub end_radius: f64,
-    /// Error of the ray at the start, in units of rounding.
-    pub start_error: f64,
-    /// Error of the ray at the end.
-    pub end_error: f64,
-    /// Bounds every coordinate of start, end and centre.
-    pub scale: f64,
     /// δ: +1 for G03, -1 for G02. [TRC-PLANE-04]
     pub sense: f64,
     /// Its end is its start. [TRC-ARC-07]
@@ -38,50 +33,52 @@ pub(crate) struct Arc {
 const MOST_AMPLIFIED: f64 = 8.0;
 
 impl Arc {
-    /// Checks the form of an arc from `start` to `end` and finds its centre. All numbers are within range
-    /// ([TRC-MODE-07]); `tolerance` is in millimetres.
-    ///
-    /// # Errors
-    /// [TRC-ARC-06] for an arc with R; [TRC-ARC-02] and then [TRC-ARC-03] for one with centre words.
-    #[inline(always)]
-    pub fn new(
-        start: Vector,
-        end: Vector,
-        centre: &Centre<f64>,
-        sense: Direction,
-        tolerance: f64,
-    ) -> Result<Arc, AlarmKind> {
-        let sense = match sense {
-            Direction::Counterclockwise => 1.0,
-            Direction::Clockwise => -1.0,
-        };
-        let scale = greater(magnitude(start), magnitude(end));
-        match *centre {
-            Centre::FromStart([a, b]) => Self::about(start, end, Vector::new(a, b), sense, scale, tolerance),
-            Centre::Radius(radius) => Self::with_radius(start, end, radius, sense, scale),
-        }
-    }
-
     /// The direction as the vocabulary has it.
     pub fn direction(&self) -> Direction {
         if self.sense > 0.0 { Direction::Counterclockwise } else { Direction::Clockwise }
     }
+}
+
+impl Element {
+    /// Checks the form of an arc from `start` to `end`, finds its centre, and makes this that arc. All numbers are
+    /// within range ([TRC-MODE-07]); `tolerance` is in millimetres.
+    ///
+    /// # Errors
+    /// [TRC-ARC-06] for an arc with R; [TRC-ARC-02] and then [TRC-ARC-03] for one with centre words.
+    #[inline(always)]
+    pub fn set_arc(
+        &mut self,
+        start: Vector,
+        end: Vector,
+        centre: &Centre<f64>,
+        direction: Direction,
+        tolerance: f64,
+    ) -> Result<(), AlarmKind> {
+        let sense = match direction {
+            Direction::Counterclockwise => 1.0,
+            Direction::Clockwise => -1.0,
+        };
+        match *centre {
+            Centre::FromStart([a, b]) => self.set_about(start, end, Vector::new(a, b), sense, tolerance),
+            Centre::Radius(radius) => self.set_with_radius(start, end, radius, sense),
+        }
+    }
 
     #[inline(always)]
-    fn about(
+    fn set_about(
+        &mut self,
         start: Vector,
         end: Vector,
         to_centre: Vector,
         sense: f64,
-        scale: f64,
         tolerance: f64,
-    ) -> Result<Arc, AlarmKind> {
+    ) -> Result<(), AlarmKind> {
         if to_centre == Vector::zeros() {
             return Err(AlarmKind::CentreAtEnd);
         }
         let full = start == end;
         let (toward, start_radius) = direction(to_centre);
-        let scale = greater(scale, start_radius);
+        let scale = greater(greater(magnitude(start), magnitude(end)), start_radius);
         let (end_ray, end_radius) = if full {
             (-toward, start_radius)
         } else {
@@ -94,28 +91,21 @@ impl Arc {
         if sign((start_radius - end_radius).abs() - tolerance, scale) == Ordering::Greater {
             return Err(AlarmKind::EndOffArc);
         }
-        Ok(Arc {
-            centre: start + to_centre,
-            start_ray: -toward,
-            end_ray,
-            start_radius,
-            end_radius,
-            // The vector to the centre is an input; that from the centre to the end is a difference of coordinates.
-            start_error: 1.0,
-            end_error: if full { 1.0 } else { 1.0 + scale / end_radius },
-            scale,
-            sense,
-            full,
-        })
+        let centre = start + to_centre;
+        let arc = Arc { centre, start_ray: -toward, end_ray, start_radius, end_radius, sense, full };
+        // The vector to the centre is an input; that from the centre to the end is a difference of coordinates.
+        let end_error = if full { 1.0 } else { 1.0 + scale / end_radius };
+        self.set_round(start, end, arc, scale, [1.0, end_error]);
+        Ok(())
     }
 
     #[inline(never)]
-    fn with_radius(start: Vector, end: Vector, radius: f64, sense: f64, scale: f64) -> Result<Arc, AlarmKind> {
+    fn set_with_radius(&mut self, start: Vector, end: Vector, radius: f64, sense: f64) -> Result<(), AlarmKind> {
         let size = radius.abs();
         if start == end || size == 0.0 {
             return Err(AlarmKind::NoSuchArc);
         }
-        let scale = greater(scale, size);
+        let scale = greater(greater(magnitude(start), magnitude(end)), size);
         let (along, chord) = direction(end - start);
         let half = 0.5 * chord;
         let left = if radius > 0.0 { sense } else { -sense };
@@ -130,19 +120,25 @@ impl Arc {
         };
         let along_part = along * halfway;
         let across_part = perp(along) * (left * height);
-        let error = 1.0 + scale / size * (1.0 + amplified);
-        let start_ray = -(along_part + across_part);
-        Ok(Arc {
+        let arc = Arc {
             centre: start + (end - start) * 0.5 + across_part * size,
-            start_ray,
+            start_ray: -(along_part + across_part),
             end_ray: along_part - across_part,
             start_radius: size,
             end_radius: size,
-            start_error: error,
-            end_error: error,
-            scale,
             sense,
             full: false,
-        })
+        };
+        self.set_round(start, end, arc, scale, [1.0 + scale / size * (1.0 + amplified); 2]);
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn set_round(&mut self, start: Vector, end: Vector, arc: Arc, scale: f64, errors: [f64; 2]) {
+        (self.start, self.end) = (start, end);
+        (self.first, self.last) = (perp(arc.start_ray) * arc.sense, perp(arc.end_ray) * arc.sense);
+        (self.length, self.scale) = (0.0, scale);
+        [self.first_error, self.last_error] = errors;
+        self.arc = Some(arc);
     }
 }

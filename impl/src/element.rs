@@ -23,13 +23,13 @@ pub(crate) struct Element {
     pub side: f64,
     /// Length of a line.
     pub length: f64,
-    /// Error of the tangent at the start, in units of rounding.
+    /// Error of the tangent at the start, and of the ray there, in units of rounding.
     pub first_error: f64,
-    /// Error of the tangent at the end.
+    /// Error of the tangent at the end, and of the ray there.
     pub last_error: f64,
-    /// Bounds every coordinate of the element.
+    /// Bounds every coordinate of the element, those of a centre and its radii among them.
     pub scale: f64,
-    /// Centre, radii and sense of an arc.
+    /// Centre, rays, radii and sense of an arc.
     pub arc: Option<Arc>,
     /// Index of its block.
     pub block: usize,
@@ -90,16 +90,6 @@ impl Element {
         self.arc = None;
     }
 
-    /// Makes this an arc between the two points.
-    #[inline(always)]
-    pub fn set_arc(&mut self, start: Vector, end: Vector, arc: Arc) {
-        (self.start, self.end) = (start, end);
-        (self.first, self.last) = (perp(arc.start_ray) * arc.sense, perp(arc.end_ray) * arc.sense);
-        (self.length, self.scale) = (0.0, arc.scale);
-        (self.first_error, self.last_error) = (arc.start_error, arc.end_error);
-        self.arc = Some(arc);
-    }
-
     /// `n(u)` at the start. [TRC-PLANE-02]
     #[inline(always)]
     pub fn start_normal(&self) -> Vector {
@@ -135,11 +125,13 @@ impl Element {
     pub fn start_curvature(&self) -> f64 {
         self.arc.as_ref().map_or(0.0, |arc| self.side * arc.sense / arc.start_radius)
     }
-}
 
-/// Whether a tool of this radius runs on the arc's outside, or fits inside. [TRC-ARC-05]
-#[inline(always)]
-pub(crate) fn tool_fits(arc: &Arc, side: Side, radius: f64) -> bool {
-    let smaller = lesser(arc.start_radius, arc.end_radius);
-    sigma(side) * arc.sense < 0.0 || sign(smaller - radius, greater(arc.scale, radius)) == Ordering::Greater
+    /// Whether a tool of this radius on this side runs on the outside of the arc, or fits inside. [TRC-ARC-05]
+    #[inline(always)]
+    pub fn tool_fits(&self, side: Side, radius: f64) -> bool {
+        self.arc.as_ref().is_none_or(|arc| {
+            let smaller = lesser(arc.start_radius, arc.end_radius);
+            sigma(side) * arc.sense < 0.0 || sign(smaller - radius, greater(self.scale, radius)) == Ordering::Greater
+        })
+    }
 }

@@ -145,7 +145,7 @@ pub(crate) fn corner(
     first: &Element,
     second: &Element,
     radius: f64,
-    rules: Rules,
+    rules: &Rules,
     junction: &mut Junction,
 ) -> Result<(), AlarmKind> {
     let turn = Turn::between(first, second);
@@ -169,7 +169,7 @@ pub(crate) fn change_of_side(
     first: &Element,
     second: &Element,
     radius: f64,
-    rules: Rules,
+    rules: &Rules,
     junction: &mut Junction,
 ) -> Result<(), AlarmKind> {
     if rules.side_change == SideChange::IntersectionWithin && side_change::contact(first, second, radius, junction) {

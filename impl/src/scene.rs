@@ -6,7 +6,7 @@ use radcomp_spec::parameters::{CornerOwner, ReversedPath};
 use radcomp_spec::{AlarmKind, Clause, Parameters, Segment, Side, Step, clause};
 
 use crate::arc_form::Arc;
-use crate::element::{Element, sigma, tool_fits};
+use crate::element::{Element, sigma};
 use crate::engine::Sink;
 use crate::geometry::{Begin, End, Geometry, Meeting};
 use crate::junction::{self, Junction, Rules};
@@ -162,7 +162,7 @@ impl<S: Sink> Geometry for Scene<'_, S> {
     #[inline(always)]
     fn tool_fits(&mut self, side: Side) -> bool {
         let radius = self.state.radius;
-        self.state.next().arc.as_ref().is_none_or(|arc| tool_fits(arc, side, radius))
+        self.state.next().tool_fits(side, radius)
     }
 
     #[inline(always)]
@@ -173,12 +173,12 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         let junction = &mut junctions[second];
         let (first, second) = (&elements[first], &elements[second]);
         match meeting {
-            Meeting::Corner => junction::corner(first, second, *radius, *rules, junction),
+            Meeting::Corner => junction::corner(first, second, *radius, rules, junction),
             Meeting::StartUp => {
                 junction.set(clause::TRC_START_02, second.start_vector(*radius));
                 Ok(())
             }
-            Meeting::SideChange => junction::change_of_side(first, second, *radius, *rules, junction),
+            Meeting::SideChange => junction::change_of_side(first, second, *radius, rules, junction),
         }
     }
 

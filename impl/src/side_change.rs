@@ -191,14 +191,14 @@ fn within_arc(element: &Element, ray: Vector, at_start: Vector, at_end: Vector, 
     let (start, end) = (length(at_start), length(at_end));
     let nearest = if start < end { start } else { end };
     sign(radius - nearest, scale) != Ordering::Less
-        || is_whole_turn(arc)
+        || is_whole_turn(element, arc)
         || turned_no_further(arc.start_ray, ray, arc.end_ray, arc.sense)
 }
 
 /// [TRC-ARC-01] an arc whose start and end lie on one ray sweeps 360°.
-fn is_whole_turn(arc: &Arc) -> bool {
+fn is_whole_turn(element: &Element, arc: &Arc) -> bool {
     arc.full
-        || sign(cross(arc.start_ray, arc.end_ray), arc.start_error + arc.end_error) == Ordering::Equal
+        || sign(cross(arc.start_ray, arc.end_ray), element.first_error + element.last_error) == Ordering::Equal
             && dot(arc.start_ray, arc.end_ray) > 0.0
 }
 

@@ -19,7 +19,8 @@ pub(crate) fn reversed(element: &Element, from: Vector, to: Vector, full: bool) 
             (sign(travel, scale) == Ordering::Less).then_some(AlarmKind::ReversedLine)
         }
         Some(_) if full => None,
-        Some(arc) => arc_reversed(arc, from, to, scale).then_some(AlarmKind::ReversedArc),
+        Some(arc) => arc_reversed(arc, element.first_error + element.last_error, from, to, scale)
+            .then_some(AlarmKind::ReversedArc),
     }
 }
 
@@ -43,15 +44,16 @@ impl Sweep {
     }
 }
 
-/// Whether the programmed sweep G in (0°, 360°] and the tool's sweep T in [0°, 360°) differ by more than 180°.
-fn arc_reversed(arc: &Arc, from: Vector, to: Vector, scale: f64) -> bool {
-    let programmed = Sweep::between(arc.start_ray, arc.end_ray, arc.sense, arc.start_error + arc.end_error);
+/// Whether the programmed sweep G in (0°, 360°] and the tool's sweep T in [0°, 360°) differ by more than 180°; `error` is
+/// that of the arc's rays together, in units of rounding.
+fn arc_reversed(arc: &Arc, error: f64, from: Vector, to: Vector, scale: f64) -> bool {
+    let programmed = Sweep::between(arc.start_ray, arc.end_ray, arc.sense, error);
     let (start, end) = (from - arc.centre, to - arc.centre);
     let bound = scale * (magnitude(start) + magnitude(end));
     let tool = Sweep::between(start, end, arc.sense, bound);
     // sin(T - G), of which both lengths are left in the product.
     let difference = programmed.x * tool.y - programmed.y * tool.x;
-    let order = sign(difference, bound + (magnitude(start) * magnitude(end)) * (arc.start_error + arc.end_error));
+    let order = sign(difference, bound + (magnitude(start) * magnitude(end)) * error);
     match (programmed.is_closed(), tool.is_closed()) {
         // 360° against 0°.
         (true, true) => true,
@@ -86,10 +88,12 @@ mod tests {
                     let direction = if sense > 0.0 { Direction::Counterclockwise } else { Direction::Clockwise };
                     let (start, end) = (ray(20.0) * 5.0, ray(20.0 + sense * f64::from(programmed)) * 5.0);
                     let centre = Centre::FromStart([-start.x, -start.y]);
-                    let arc = Arc::new(start, end, &centre, direction, 0.01).unwrap();
+                    let mut element = Element::unused();
+                    element.set_arc(start, end, &centre, direction, 0.01).unwrap();
                     let (from, to) = (ray(50.0) * 4.0, ray(50.0 + sense * f64::from(swept)) * 4.0);
                     let expected = (programmed - swept).abs() > 180;
-                    assert_eq!(arc_reversed(&arc, from, to, 5.0), expected, "{programmed} {swept}");
+                    let alarm = reversed(&element, from, to, false);
+                    assert_eq!(alarm.is_some(), expected, "{programmed} {swept}");
                 }
             }
         }

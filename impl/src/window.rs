@@ -114,6 +114,7 @@ impl Window {
         self.lose(clause::TRC_MODE_04, geometry)
     }
 
+    #[inline(never)]
     fn follow<G: Geometry>(&mut self, block: usize, event: Event, geometry: &mut G) -> Result<(), Alarm> {
         let cancels = self.mode == Mode::Cancelling;
         match event.kind {
@@ -127,6 +128,7 @@ impl Window {
         Ok(())
     }
 
+    #[inline(never)]
     fn start_up<G: Geometry>(&mut self, block: usize, event: Event, side: Side, g: &mut G) -> Result<(), Alarm> {
         match event.kind {
             Kind::Still | Kind::Dummy => self.stand(block, event, g),
@@ -141,6 +143,7 @@ impl Window {
     }
 
     /// A block of the offset mode with G40 in it. [TRC-CANCEL-01]
+    #[inline(never)]
     fn cancel<G: Geometry>(&mut self, block: usize, event: Event, geometry: &mut G) -> Result<(), Alarm> {
         if event.kind == Kind::Arc {
             return self.fault(block, AlarmKind::ArcAtCancel, geometry);
@@ -224,6 +227,7 @@ impl Window {
     }
 
     /// A block without movement in offset mode.
+    #[inline(never)]
     fn wait<G: Geometry>(&mut self, block: usize, event: Event, geometry: &mut G) -> Result<(), Alarm> {
         match &mut self.pending {
             Some(pending) if pending.held < self.allowed => {

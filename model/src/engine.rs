@@ -362,11 +362,7 @@ impl Engine {
 
     /// Ends the pending block at a junction, and executes the blocks held. Answers the corner moves if the next block
     /// owns them ([TRC-CORNER-12]); the tool is taken to stand behind them.
-    fn pass(
-        &mut self,
-        junction: Junction,
-        judgement: &mut Judgement<'_>,
-    ) -> Result<Option<LeadIn>, Stop> {
+    fn pass(&mut self, junction: Junction, judgement: &mut Judgement<'_>) -> Result<Option<LeadIn>, Stop> {
         let Some((block, rapid)) = self.pending.as_ref().map(|pending| (pending.block, pending.rapid)) else {
             return Err(Stop::Contradiction);
         };

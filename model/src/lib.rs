@@ -8,6 +8,7 @@
 //! One file of [`rules`](crate) stands for each chapter of the specification.
 
 pub mod number;
+pub mod tower;
 
 mod decision;
 mod element;

@@ -1,6 +1,7 @@
 //! Running a campaign.
 
 use std::collections::BTreeMap;
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
@@ -74,6 +75,7 @@ pub fn certify<D: Device>(campaign: &Campaign, make: impl Fn() -> D + Sync, prog
     let mut groups = BTreeMap::new();
     judge_vectors(campaign, &mut make(), &mut outcome, &mut groups);
     let next = AtomicU64::new(0);
+    // A thread that panics has lost programs: that is a fault of the toolkit, and ends the run.
     let mut parts: Vec<Part> = thread::scope(|scope| {
         let work = || {
             let mut device = make();
@@ -89,7 +91,7 @@ pub fn certify<D: Device>(campaign: &Campaign, make: impl Fn() -> D + Sync, prog
             }
         };
         let threads: Vec<_> = (0..campaign.threads.max(1)).map(|_| scope.spawn(work)).collect();
-        threads.into_iter().filter_map(|thread| thread.join().ok()).flatten().collect()
+        threads.into_iter().flat_map(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic))).collect()
     });
     parts.sort_by_key(|part| part.from);
     for part in parts {

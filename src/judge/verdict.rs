@@ -1,5 +1,7 @@
 //! Verdicts.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use radcomp_model::{Run, run};
 use radcomp_spec::{Block, Parameters};
 use rug::Rational;
@@ -8,7 +10,7 @@ use super::budget::Budget;
 use super::compare::{self, Divergence};
 use super::fork::{self, Flip};
 use super::witness;
-use crate::device::{Device, DeviceFault};
+use crate::device::{Answer, Device, DeviceFault};
 
 /// What the judge says of one answer.
 #[derive(Clone, Debug)]
@@ -58,7 +60,7 @@ pub struct Judged {
 /// Judges a device's answer to one program.
 pub fn judge(device: &mut dyn Device, parameters: &Parameters, blocks: &[Block<Rational>], budget: &Budget) -> Judged {
     let exact = run(parameters, blocks);
-    let answer = match device.answer(parameters, blocks) {
+    let answer = match ask(device, parameters, blocks) {
         Ok(answer) => answer,
         Err(fault) => return Judged { verdict: Verdict::Fault(fault), exact },
     };
@@ -76,4 +78,13 @@ pub fn judge(device: &mut dyn Device, parameters: &Parameters, blocks: &[Block<R
             Err(_) => Verdict::Inadmissible(Box::new(divergence)),
         };
     Judged { verdict, exact }
+}
+
+/// The device's answer; a panic of a device in this process costs this one answer.
+fn ask(device: &mut dyn Device, parameters: &Parameters, blocks: &[Block<Rational>]) -> Result<Answer, DeviceFault> {
+    catch_unwind(AssertUnwindSafe(|| device.answer(parameters, blocks))).unwrap_or_else(|panic| {
+        let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+        let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
+        Err(DeviceFault::Crash(text.unwrap_or_else(|| "panic".to_owned())))
+    })
 }

@@ -17,6 +17,7 @@
 mod bound;
 mod closed_form;
 mod decimal;
+mod expression;
 mod filter;
 mod node;
 mod operators;
@@ -32,6 +33,7 @@ use std::rc::Rc;
 use rug::{Integer, Rational};
 
 pub use decimal::{format_decimal, nearest_f64, parse_decimal};
+pub use expression::{Expression, Identity};
 pub use parse::ParseRealError;
 
 use filter::Interval;
