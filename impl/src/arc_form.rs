@@ -79,15 +79,11 @@ impl Element {
         let full = start == end;
         let (toward, start_radius) = direction(to_centre);
         let scale = greater(greater(magnitude(start), magnitude(end)), start_radius);
-        let (end_ray, end_radius) = if full {
-            (-toward, start_radius)
-        } else {
-            let to_end = (end - start) - to_centre;
-            if sign(magnitude(to_end), scale) == Ordering::Equal {
-                return Err(AlarmKind::CentreAtEnd);
-            }
-            direction(to_end)
-        };
+        let to_end = (end - start) - to_centre;
+        if !full && sign(magnitude(to_end), scale) == Ordering::Equal {
+            return Err(AlarmKind::CentreAtEnd);
+        }
+        let (end_ray, end_radius) = direction(to_end);
         if sign((start_radius - end_radius).abs() - tolerance, scale) == Ordering::Greater {
             return Err(AlarmKind::EndOffArc);
         }

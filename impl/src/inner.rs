@@ -18,7 +18,7 @@ use radcomp_spec::{AlarmKind, clause};
 
 use crate::element::Element;
 use crate::junction::{Junction, Turn, in_range};
-use crate::plane::{Vector, greater, lesser};
+use crate::plane::{Vector, greater};
 use crate::sign::sign;
 
 /// Forms an inner corner that is not tangent.
@@ -51,34 +51,25 @@ pub(crate) fn corner(
 #[inline(always)]
 fn with_arc(first: &Element, second: &Element, radius: f64, turn: Turn, tangent: f64) -> Result<Vector, AlarmKind> {
     let sine = turn.cross.abs();
-    // 1 + d and 1 - d by products, which keep their digits near a straight path and near a reversal.
-    let one_plus = sine / tangent;
+    // By products where the difference would lose digits, near a straight path and near a reversal.
+    let one_plus = if turn.dot >= 0.0 { 1.0 + turn.dot } else { sine / tangent };
     let one_less = sine * tangent;
-    let (k1, k2) = (radius * first.end_curvature(), radius * second.start_curvature());
+    let (curvature1, curvature2) = (first.end_curvature(), second.start_curvature());
+    let (k1, k2) = (radius * curvature1, radius * curvature2);
     let b = one_plus - (k1 + k2);
     let meets = one_plus - 2.0 * (k1 + k2) + 2.0 * k1 * k2;
-    let root = match sign(meets, overlap_scale(first, second, sine, one_plus, k1.abs(), k2.abs())) {
+    // Bounds the terms of G, and what the coordinates' rounding makes of them through radii and tangents.
+    let terms = 2.0 * (k1.abs() + k2.abs()) + 2.0 * k1.abs() * k2.abs();
+    let coordinates = greater(first.scale, second.scale) * greater(curvature1.abs(), curvature2.abs());
+    let root = match sign(meets, one_plus + terms + (sine + terms) * coordinates) {
         Ordering::Less => return Err(AlarmKind::NoIntersection),
         // The curves touch.
         Ordering::Equal => 0.0,
         Ordering::Greater => libm::sqrt(one_plus * meets),
     };
-    // w/r, and z by its parts along the normal and against the tangent of the first element.
-    let share = 2.0 / (b + root);
-    let along_normal = radius * (1.0 + 0.5 * share * one_less * k1);
-    let back = radius * tangent * (1.0 + 0.5 * share * (k2 - turn.dot * k1));
+    // w/2r, and z by its parts along the normal and against the tangent of the first element.
+    let share = 1.0 / (b + root);
+    let along_normal = radius * (1.0 + share * one_less * k1);
+    let back = radius * tangent * (1.0 + share * (k2 - turn.dot * k1));
     Ok(first.end_normal() * along_normal - first.last * back)
-}
-
-/// Bounds the terms of G, and what the coordinates' rounding makes of them through radii and tangents.
-#[inline(always)]
-fn overlap_scale(first: &Element, second: &Element, sine: f64, one_plus: f64, k1: f64, k2: f64) -> f64 {
-    let terms = 2.0 * (k1 + k2) + 2.0 * k1 * k2;
-    let radius = match (&first.arc, &second.arc) {
-        (Some(one), Some(two)) => lesser(one.end_radius, two.start_radius),
-        (Some(one), None) => one.end_radius,
-        (None, Some(two)) => two.start_radius,
-        (None, None) => 1.0,
-    };
-    one_plus + terms + (sine + terms) * greater(first.scale, second.scale) / radius
 }

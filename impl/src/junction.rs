@@ -76,14 +76,14 @@ impl Junction {
 
     /// The ends of the moves, in order.
     #[inline(always)]
-    pub fn points(&self) -> &[Vector] {
-        self.points.get(..usize::from(self.count)).unwrap_or(&[])
+    pub fn points(&self) -> impl Iterator<Item = Vector> {
+        self.points.iter().take(usize::from(self.count)).copied()
     }
 
     /// The end of the last move.
     #[inline]
     pub fn last(&self) -> Option<Vector> {
-        self.points().last().copied()
+        self.points().last()
     }
 }
 
@@ -132,7 +132,8 @@ impl Turn {
     #[inline(always)]
     pub fn half_tangent(&self) -> f64 {
         let c = self.cross.abs();
-        if self.dot >= 0.0 { c / (1.0 + self.dot) } else { (1.0 - self.dot) / c }
+        let (sine, cosine) = if self.dot >= 0.0 { (c, 1.0 + self.dot) } else { (1.0 - self.dot, c) };
+        sine / cosine
     }
 }
 

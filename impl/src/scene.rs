@@ -121,10 +121,10 @@ impl<S: Sink> PathEnd<'_, S> {
     #[inline(always)]
     fn corner_moves(&mut self, junction: &Junction) {
         for point in junction.points() {
-            if *point == *self.tool {
+            if point == *self.tool {
                 continue;
             }
-            let end = (*point).into();
+            let end = [point.x, point.y];
             match junction.round {
                 None => self.emit(junction.clause, false, Segment::Line { end }),
                 Some(direction) => {
@@ -132,7 +132,7 @@ impl<S: Sink> PathEnd<'_, S> {
                     self.emit(junction.clause, false, Segment::Arc { end, centre, direction, full: false });
                 }
             }
-            *self.tool = *point;
+            *self.tool = point;
         }
     }
 

@@ -11,6 +11,7 @@ use crate::sign::sign;
 
 /// The alarm of a compensated element on which the tool's centre would run backwards from `from` to `to`; `full` when
 /// it is run as a full circle.
+#[inline(always)]
 pub(crate) fn reversed(element: &Element, from: Vector, to: Vector, full: bool) -> Option<AlarmKind> {
     let scale = greater(element.scale, greater(magnitude(from), magnitude(to)));
     match &element.arc {
@@ -46,11 +47,16 @@ impl Sweep {
 
 /// Whether the programmed sweep G in (0°, 360°] and the tool's sweep T in [0°, 360°) differ by more than 180°; `error` is
 /// that of the arc's rays together, in units of rounding.
+#[inline]
 fn arc_reversed(arc: &Arc, error: f64, from: Vector, to: Vector, scale: f64) -> bool {
     let programmed = Sweep::between(arc.start_ray, arc.end_ray, arc.sense, error);
     let (start, end) = (from - arc.centre, to - arc.centre);
     let bound = scale * (magnitude(start) + magnitude(end));
     let tool = Sweep::between(start, end, arc.sense, bound);
+    if programmed.half == tool.half && tool.half != Ordering::Equal {
+        // Both in one half turn.
+        return false;
+    }
     // sin(T - G), of which both lengths are left in the product.
     let difference = programmed.x * tool.y - programmed.y * tool.x;
     let order = sign(difference, bound + (magnitude(start) * magnitude(end)) * error);
@@ -64,7 +70,7 @@ fn arc_reversed(arc: &Arc, error: f64, from: Vector, to: Vector, scale: f64) -> 
             (Ordering::Greater, Ordering::Less) => order == Ordering::Less,
             // T < 180° < G: reversed when G - T > 180°, the sine of T - G positive.
             (Ordering::Less, Ordering::Greater) => order == Ordering::Greater,
-            // Both in one half turn, or one of them 180° exactly.
+            // One of them 180° exactly.
             _ => false,
         },
     }

@@ -43,7 +43,7 @@ impl fmt::Display for Failure {
         match &self.verdict {
             Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence) => write!(f, " {}", Told(divergence)),
             Verdict::Fault(crate::device::DeviceFault::Crash(text)) => write!(f, ": {text}"),
-            Verdict::Exact | Verdict::Witnessed(_) | Verdict::Admissible(_) => Ok(()),
+            Verdict::Exact | Verdict::Admissible(_) | Verdict::AdmissibleWithoutWitness(_) => Ok(()),
         }
     }
 }

@@ -17,3 +17,4 @@ pub use compare::{Difference, Divergence};
 pub use fork::Flip;
 pub use stroke::{Shape, Stroke};
 pub use verdict::{Judged, Verdict, judge};
+pub use witness::Witness;

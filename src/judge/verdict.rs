@@ -9,7 +9,7 @@ use rug::Rational;
 use super::budget::Budget;
 use super::compare::{self, Divergence};
 use super::fork::{self, Flip};
-use super::witness;
+use super::witness::{self, Witness};
 use crate::device::{Answer, Device, DeviceFault};
 
 /// What the judge says of one answer.
@@ -17,10 +17,10 @@ use crate::device::{Answer, Device, DeviceFault};
 pub enum Verdict {
     /// The exact outcome, to within δ.
     Exact,
-    /// The exact outcome of this input, each number of which lies within β of the program's: the witness.
-    Witnessed(Vec<Block<Rational>>),
-    /// An outcome that the band admits: these decisions went another way. No witness has been constructed.
-    Admissible(Vec<Flip>),
+    /// The exact outcome of an input within β of the program, to within δ.
+    Admissible(Witness),
+    /// An outcome that the band admits: these decisions went another way. No witness has been found.
+    AdmissibleWithoutWitness(Vec<Flip>),
     /// No admitted outcome.
     Inadmissible(Box<Divergence>),
     /// No admitted outcome among those looked at; there were more than the bound.
@@ -32,15 +32,15 @@ pub enum Verdict {
 impl Verdict {
     /// Whether the device has failed on this program.
     pub fn is_red(&self) -> bool {
-        !matches!(self, Verdict::Exact | Verdict::Witnessed(_) | Verdict::Admissible(_))
+        !matches!(self, Verdict::Exact | Verdict::Admissible(_) | Verdict::AdmissibleWithoutWitness(_))
     }
 
     /// The name used in reports.
     pub fn id(&self) -> &'static str {
         match self {
             Verdict::Exact => "exact",
-            Verdict::Witnessed(_) => "admissible",
-            Verdict::Admissible(_) => "admissible-without-witness",
+            Verdict::Admissible(_) => "admissible",
+            Verdict::AdmissibleWithoutWitness(_) => "admissible-without-witness",
             Verdict::Inadmissible(_) => "inadmissible",
             Verdict::ForkLimit(_) => "fork-limit",
             Verdict::Fault(DeviceFault::Crash(_)) => "crash",
@@ -48,36 +48,49 @@ impl Verdict {
     }
 }
 
-/// A verdict and the exact outcome that it was measured against.
+/// A verdict, and what it was measured against.
 #[derive(Clone, Debug)]
 pub struct Judged {
     /// The verdict.
     pub verdict: Verdict,
     /// The exact outcome.
     pub exact: Run,
+    /// The device's answer, if it gave one.
+    pub answer: Option<Answer>,
 }
 
 /// Judges a device's answer to one program.
 pub fn judge(device: &mut dyn Device, parameters: &Parameters, blocks: &[Block<Rational>], budget: &Budget) -> Judged {
     let exact = run(parameters, blocks);
-    let answer = match ask(device, parameters, blocks) {
-        Ok(answer) => answer,
-        Err(fault) => return Judged { verdict: Verdict::Fault(fault), exact },
-    };
-    let Some(divergence) = compare::divergence(&exact, &answer, budget.delta) else {
-        return Judged { verdict: Verdict::Exact, exact };
-    };
-    let beta = budget.beta(blocks);
-    if let Some(input) = witness::construct(parameters, blocks, &exact, &answer, beta, budget.delta) {
-        return Judged { verdict: Verdict::Witnessed(input), exact };
+    match ask(device, parameters, blocks) {
+        Ok(answer) => {
+            let verdict = measure(parameters, blocks, &exact, &answer, budget);
+            Judged { verdict, exact, answer: Some(answer) }
+        }
+        Err(fault) => Judged { verdict: Verdict::Fault(fault), exact, answer: None },
     }
-    let verdict =
-        match fork::find(parameters, blocks, beta, |run| compare::divergence(run, &answer, budget.delta).is_none()) {
-            Ok(flips) => Verdict::Admissible(flips),
-            Err(exhausted) if exhausted.limit_hit => Verdict::ForkLimit(Box::new(divergence)),
-            Err(_) => Verdict::Inadmissible(Box::new(divergence)),
-        };
-    Judged { verdict, exact }
+}
+
+fn measure(
+    parameters: &Parameters,
+    blocks: &[Block<Rational>],
+    exact: &Run,
+    answer: &Answer,
+    budget: &Budget,
+) -> Verdict {
+    let (beta, delta) = (budget.beta(blocks), budget.delta);
+    let Some(divergence) = compare::divergence(exact, answer, delta) else { return Verdict::Exact };
+    if let Some(witness) = witness::for_points(parameters, blocks, exact, answer, beta, delta) {
+        return Verdict::Admissible(witness);
+    }
+    match fork::find(parameters, blocks, beta, |run| compare::divergence(run, answer, delta).is_none()) {
+        Ok(flips) => match witness::for_flips(parameters, blocks, answer, &flips, beta, delta) {
+            Some(witness) => Verdict::Admissible(witness),
+            None => Verdict::AdmissibleWithoutWitness(flips),
+        },
+        Err(exhausted) if exhausted.limit_hit => Verdict::ForkLimit(Box::new(divergence)),
+        Err(_) => Verdict::Inadmissible(Box::new(divergence)),
+    }
 }
 
 /// The device's answer; a panic of a device in this process costs this one answer.

@@ -9,24 +9,113 @@ use radcomp_spec::{Block, Centre, Movement, Parameters, Segment};
 use rug::Rational;
 
 use super::compare::{self, Difference, Divergence};
+use super::fork::Flip;
 use crate::device::Answer;
+
+/// An input whose exact outcome is the device's answer.
+#[derive(Clone, Debug)]
+pub struct Witness {
+    /// The input.
+    pub input: Vec<Block<Rational>>,
+    /// The largest change of one number from the program's, in millimetres: the smallest band under which this input
+    /// is a witness.
+    pub beta: f64,
+    /// The decisions that the device took another way; none if only points moved.
+    pub flips: Vec<Flip>,
+}
+
+impl Witness {
+    fn new(blocks: &[Block<Rational>], input: Vec<Block<Rational>>, flips: Vec<Flip>) -> Self {
+        let mut beta = Rational::new();
+        for (before, after) in blocks.iter().zip(&input) {
+            for number in 0..numbers(before) {
+                let change = (number_of(after, number) - number_of(before, number)).abs();
+                if change > beta {
+                    beta = change;
+                }
+            }
+        }
+        Witness { input, beta: beta.to_f64(), flips }
+    }
+}
 
 /// How often a witness is improved before the search is given up.
 const MOST_ROUNDS: usize = 6;
 /// How many numbers are tried in a round.
 const MOST_CANDIDATES: usize = 16;
 
+/// The most inputs that are tried for a device that took other branches.
+const MOST_NUDGES: usize = 600;
+/// The shares of the band that numbers are moved by.
+const SHARES: [f64; 4] = [1.0, 0.25, 1.0 / 64.0, 1.0 / 65536.0];
+
+/// Looks for an input within `beta` of `blocks` whose exact outcome is the answer, the device having taken these
+/// decisions another way: one number near them is moved, then two.
+pub(crate) fn for_flips(
+    parameters: &Parameters,
+    blocks: &[Block<Rational>],
+    answer: &Answer,
+    flips: &[Flip],
+    beta: f64,
+    delta: f64,
+) -> Option<Witness> {
+    let beta = Rational::from_f64(beta)?;
+    let mut places: Vec<(usize, usize)> = Vec::new();
+    for flip in flips {
+        for index in near(blocks, flip.block) {
+            places.extend((0..numbers(&blocks[index])).map(|number| (index, number)));
+        }
+    }
+    places.sort_unstable();
+    places.dedup();
+    let mut tried = 0;
+    let mut matches = |input: &[Block<Rational>]| {
+        tried += 1;
+        let found = compare::divergence(&run(parameters, input), answer, delta).is_none();
+        if found || tried < MOST_NUDGES { Ok(found) } else { Err(()) }
+    };
+    let steps: Vec<Rational> = SHARES
+        .iter()
+        .filter_map(|share| Some(Rational::from_f64(*share)? * &beta))
+        .flat_map(|step| [step.clone(), -step])
+        .collect();
+    let moved = |from: &[Block<Rational>], (index, number): (usize, usize), step: &Rational| {
+        with(from, index, number, number_of(&blocks[index], number) + step)
+    };
+    for step in &steps {
+        for place in &places {
+            let input = moved(blocks, *place, step);
+            if matches(&input).ok()? {
+                return Some(Witness::new(blocks, input, flips.to_vec()));
+            }
+        }
+    }
+    for step in &steps {
+        for other_step in &steps {
+            for (first, place) in places.iter().enumerate() {
+                for other in &places[first + 1..] {
+                    let input = moved(&moved(blocks, *place, step), *other, other_step);
+                    if matches(&input).ok()? {
+                        return Some(Witness::new(blocks, input, flips.to_vec()));
+                    }
+                }
+            }
+        }
+    }
+    None
+}
+
 /// Looks for an input within `beta` of `blocks`, number by number, whose exact outcome matches the answer to within
 /// `delta`. `exact` is the outcome of `blocks` itself. The search moves one number at a time, the one that brings the
 /// first divergent point nearest; it can miss a witness, never make one up.
-pub(crate) fn construct(
+pub(crate) fn for_points(
     parameters: &Parameters,
     blocks: &[Block<Rational>],
     exact: &Run,
     answer: &Answer,
     beta: f64,
     delta: f64,
-) -> Option<Vec<Block<Rational>>> {
+) -> Option<Witness> {
     let beta = Rational::from_f64(beta)?;
     let mut best = blocks.to_vec();
     let mut outcome = exact.clone();
@@ -61,7 +150,7 @@ pub(crate) fn construct(
             let moved = with(&best, index, number, from + step);
             let reached = run(parameters, &moved);
             match compare::divergence(&reached, answer, delta) {
-                None => return Some(moved),
+                None => return Some(Witness::new(blocks, moved, Vec::new())),
                 // A step to the other side may lead to an alarm, or leave the point where it was.
                 Some(left) if is_nearer(&left, &divergence) => {
                     improved = Some((moved, reached));
