@@ -1,5 +1,6 @@
 //! The radcomp toolkit: programs in, verdicts out.
 
+pub mod boundary;
 pub mod canon;
 pub mod certify;
 pub mod device;
@@ -7,6 +8,8 @@ pub mod explain;
 pub mod gcode;
 pub mod generate;
 pub mod judge;
+pub mod metamorphic;
 pub mod minimise;
 pub mod plot;
+pub mod safety;
 pub mod vectors;

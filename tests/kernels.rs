@@ -81,8 +81,10 @@ fn zero_is_enough(decision: &Decision, blocks: &[Block<Rational>]) -> bool {
         DecisionKind::ArcForward => decision.exact == Ordering::Less,
         // The margin is at most the tool's radius, and so zero for a tool of radius zero wherever the contact is.
         DecisionKind::ContactWithin => {
-            decision.exact == Ordering::Greater
-                && blocks.iter().any(|block| block.radius.as_ref().is_some_and(|radius| radius.is_zero()))
+            let mut radii = blocks.iter().take(decision.block + 1).filter_map(|block| block.radius.as_ref());
+            // A tool that has none yet has radius zero.
+            let point_at_first = radii.next().is_none_or(|radius| radius.is_zero());
+            decision.exact == Ordering::Greater && (point_at_first || radii.any(|radius| radius.is_zero()))
         }
         _ => false,
     }

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 
 use proptest::prelude::*;
 use radcomp::generate::{self, Reach};
+use radcomp::metamorphic::Motion;
 use radcomp_model::number::Real;
 use radcomp_model::{Decision, Run, run};
 use radcomp_spec::parameters::Parameters;
@@ -12,73 +13,24 @@ use radcomp_spec::profile::{BUILTIN, Profile};
 use radcomp_spec::{Block, Centre, Compensation, DecisionKind, Movement, Segment, Side};
 use rug::Rational;
 
-/// A similarity of the plane: `p ↦ matrix·p + shift`, which may turn the sense of arcs around.
-struct Motion {
-    matrix: [[Rational; 2]; 2],
-    shift: [Rational; 2],
-    scale: u32,
-    mirrors: bool,
+/// The exact image of a point.
+fn image(motion: &Motion, [a, b]: &[Real; 2]) -> [Real; 2] {
+    let of = |row: usize| {
+        &(Real::from(&motion.matrix[row][0]) * a)
+            + &(Real::from(&motion.matrix[row][1]) * b)
+            + Real::from(&motion.shift[row])
+    };
+    [of(0), of(1)]
 }
 
-impl Motion {
-    fn vector(&self, [a, b]: &[Rational; 2]) -> [Rational; 2] {
-        self.matrix.each_ref().map(|row| Rational::from(&row[0] * a) + Rational::from(&row[1] * b))
-    }
-
-    fn point(&self, point: &[Rational; 2]) -> [Rational; 2] {
-        let [a, b] = self.vector(point);
-        [a + &self.shift[0], b + &self.shift[1]]
-    }
-
-    fn exact(&self, [a, b]: &[Real; 2]) -> [Real; 2] {
-        let of = |row: usize| {
-            &(Real::from(&self.matrix[row][0]) * a)
-                + &(Real::from(&self.matrix[row][1]) * b)
-                + Real::from(&self.shift[row])
-        };
-        [of(0), of(1)]
-    }
-
-    fn block(&self, block: &Block<Rational>) -> Block<Rational> {
-        let movement = match &block.movement {
-            Movement::None => Movement::None,
-            Movement::Line { end } => Movement::Line { end: self.point(end) },
-            Movement::Dummy { vector } => Movement::Dummy { vector: self.vector(vector) },
-            Movement::Arc { end, centre, direction } => Movement::Arc {
-                end: self.point(end),
-                centre: match centre {
-                    Centre::FromStart(vector) => Centre::FromStart(self.vector(vector)),
-                    Centre::Radius(radius) => Centre::Radius(Rational::from(radius * self.scale)),
-                },
-                direction: if self.mirrors { direction.reversed() } else { *direction },
-            },
-        };
-        let compensation = block.compensation.map(|code| match code {
-            Compensation::On(side) if self.mirrors => Compensation::On(side.other()),
-            code => code,
-        });
-        let radius = block.radius.as_ref().map(|radius| Rational::from(radius * self.scale));
-        Block { movement, compensation, radius, ..block.clone() }
-    }
-
-    fn run(&self, run: &Run) -> Vec<(usize, &'static str, Segment<Real>)> {
-        run.steps
-            .iter()
-            .map(|step| {
-                let segment = match &step.segment {
-                    Segment::Hold => Segment::Hold,
-                    Segment::Line { end } => Segment::Line { end: self.exact(end) },
-                    Segment::Arc { end, centre, direction, full } => Segment::Arc {
-                        end: self.exact(end),
-                        centre: self.exact(centre),
-                        direction: if self.mirrors { direction.reversed() } else { *direction },
-                        full: *full,
-                    },
-                };
-                (step.block, step.clause.id(), segment)
-            })
-            .collect()
-    }
+fn moved(motion: &Motion, run: &Run) -> Vec<(usize, &'static str, Segment<Real>)> {
+    let steps = run.steps.iter();
+    steps
+        .map(|step| {
+            let segment = motion.segment(&step.segment, |point| image(motion, point));
+            (step.block, step.clause.id(), segment)
+        })
+        .collect()
 }
 
 fn rational(numerator: i64, denominator: i64) -> Rational {
@@ -94,13 +46,13 @@ fn program(profile: usize, seed: u64) -> (Parameters, Vec<Block<Rational>>) {
 }
 
 fn commutes(parameters: &Parameters, blocks: &[Block<Rational>], motion: &Motion) -> Result<(), TestCaseError> {
-    let moved: Vec<_> = blocks.iter().map(|block| motion.block(block)).collect();
+    let images: Vec<_> = blocks.iter().map(|block| motion.block(block)).collect();
     let mut scaled = *parameters;
     scaled.arc_end_tolerance.numerator *= motion.scale;
-    let (before, after) = (run(parameters, blocks), run(&scaled, &moved));
+    let (before, after) = (run(parameters, blocks), run(&scaled, &images));
     prop_assert_eq!(before.alarm, after.alarm);
     let plain: Vec<_> = after.steps.iter().map(|step| (step.block, step.clause.id(), step.segment.clone())).collect();
-    prop_assert_eq!(motion.run(&before), plain);
+    prop_assert_eq!(moved(motion, &before), plain);
     // The first block's length depends on where the tool stands at the start, and of two contact points either may be
     // looked at first.
     let comparable = |(decision, _): &&(Decision, Ordering)| {
@@ -123,38 +75,26 @@ proptest! {
     #[test]
     fn translation_commutes(profile in 0_usize..3, seed: u64, a in -100_000_i64..100_000, b in -100_000_i64..100_000) {
         let (parameters, blocks) = program(profile, seed);
-        let identity = [[rational(1, 1), rational(0, 1)], [rational(0, 1), rational(1, 1)]];
-        let shift = [rational(a, 1000), rational(b, 1000)];
-        commutes(&parameters, &blocks, &Motion { matrix: identity, shift, scale: 1, mirrors: false })?;
+        commutes(&parameters, &blocks, &Motion::translation(a, b))?;
     }
 
     #[test]
     fn mirroring_swaps_the_sides(profile in 0_usize..3, seed: u64) {
         let (parameters, blocks) = program(profile, seed);
-        let matrix = [[rational(-1, 1), rational(0, 1)], [rational(0, 1), rational(1, 1)]];
-        let shift = [rational(0, 1), rational(0, 1)];
-        commutes(&parameters, &blocks, &Motion { matrix, shift, scale: 1, mirrors: true })?;
+        commutes(&parameters, &blocks, &Motion::mirroring())?;
     }
 
     #[test]
     fn scaling_by_ten_commutes(profile in 0_usize..3, seed: u64) {
         let (parameters, blocks) = program(profile, seed);
-        let matrix = [[rational(10, 1), rational(0, 1)], [rational(0, 1), rational(10, 1)]];
-        let shift = [rational(0, 1), rational(0, 1)];
-        commutes(&parameters, &blocks, &Motion { matrix, shift, scale: 10, mirrors: false })?;
+        commutes(&parameters, &blocks, &Motion::scaling())?;
     }
 
     #[test]
     fn rotation_by_a_pythagorean_angle_commutes(profile in 0_usize..3, seed: u64, which in 0_usize..3) {
-        let (cosine, sine) = [
-            (rational(3, 5), rational(4, 5)),
-            (rational(-5, 13), rational(12, 13)),
-            (rational(0, 1), rational(-1, 1)),
-        ][which].clone();
         let (parameters, blocks) = program(profile, seed);
-        let matrix = [[cosine.clone(), Rational::from(-&sine)], [sine, cosine]];
-        let shift = [rational(0, 1), rational(0, 1)];
-        commutes(&parameters, &blocks, &Motion { matrix, shift, scale: 1, mirrors: false })?;
+        let (a, b, c) = [(3, 4, 5), (-5, 12, 13), (0, -1, 1)][which];
+        commutes(&parameters, &blocks, &Motion::rotation(a, b, c))?;
     }
 
     #[test]

@@ -70,7 +70,7 @@ impl Engine {
     }
 
     /// What follows a block's form is compiled once for lines, once for arcs and once for all else: most blocks are
-    /// lines or arcs, and knowing which saves a third of their time.
+    /// lines or arcs, and what is known of their kind is then not asked again.
     #[inline(always)]
     fn read<S: Sink>(&mut self, block: &Block<f64>, sink: &mut S) -> Result<(), Alarm> {
         let start = self.state.position;
@@ -93,7 +93,7 @@ impl Engine {
         }
     }
 
-    /// Takes a block that does not move.
+    /// Takes a block that does not move. Such blocks are rare, and their code stands apart.
     #[inline(never)]
     fn stay<S: Sink>(
         &mut self,

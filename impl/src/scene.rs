@@ -106,6 +106,20 @@ impl<S: Sink> Scene<'_, S> {
         let (_, next) = places(self.state.pending);
         self.state.junctions[next].clear();
     }
+
+    /// The move to the normal of an arc whose junction was settled without it, unless the tool stands there.
+    /// [TRC-LOOK-05]
+    fn line_in(&mut self) {
+        let State { radius, elements, junctions, pending, tool, .. } = &mut *self.state;
+        let (_, next) = places(*pending);
+        let element = &elements[next];
+        let normal = element.start_vector(*radius);
+        let away = sign(magnitude(normal - *tool), element.scale + *radius + magnitude(*tool)) != Ordering::Equal;
+        if element.arc.is_some() && away {
+            junctions[next].set(clause::TRC_LOOK_05, normal);
+            junctions[next].push(normal);
+        }
+    }
 }
 
 /// The end of the path: where it goes on, and where its steps go.
@@ -244,21 +258,5 @@ impl<S: Sink> Geometry for Scene<'_, S> {
             }
         }
         self.state.pending = !self.state.pending & 1;
-    }
-}
-
-impl<S> Scene<'_, S> {
-    /// The move to the normal of an arc whose junction was settled without it, unless the tool stands there.
-    /// [TRC-LOOK-05]
-    fn line_in(&mut self) {
-        let State { radius, elements, junctions, pending, tool, .. } = &mut *self.state;
-        let (_, next) = places(*pending);
-        let element = &elements[next];
-        let normal = element.start_vector(*radius);
-        let away = sign(magnitude(normal - *tool), element.scale + *radius + magnitude(*tool)) != Ordering::Equal;
-        if element.arc.is_some() && away {
-            junctions[next].set(clause::TRC_LOOK_05, normal);
-            junctions[next].push(normal);
-        }
     }
 }

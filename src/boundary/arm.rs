@@ -30,6 +30,18 @@ pub(super) fn swept(ray: &Point, sweep: &Point, sense: Direction) -> Point {
     }
 }
 
+/// Whether an arc from one ray, over so great an angle, passes another ray.
+pub(super) fn covers(from: &Point, sweep: &Point, sense: Direction, ray: &Point) -> bool {
+    let relative = ray.turned(&from.mirrored());
+    let relative = if sense == Direction::Clockwise { relative.mirrored() } else { relative };
+    let beyond_half = |angle: &Point| angle.b < 0 || (angle.b == 0 && angle.a < 0);
+    match (beyond_half(&relative), beyond_half(sweep)) {
+        (false, true) => true,
+        (true, false) => false,
+        _ => relative.cross(sweep) >= 0,
+    }
+}
+
 impl Arm {
     pub(super) fn line(choice: &mut Choice) -> Arm {
         Arm::Line { length: choice.length() }

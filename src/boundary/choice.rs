@@ -11,8 +11,7 @@ use super::point::{Point, ratio};
 pub(super) struct Choice(ChaCha8Rng);
 
 /// Half-angle tangents n/m whose angles have small denominators: 5, 13, 25, 17, 29.
-const HALF_ANGLES: [(i64, i64); 10] =
-    [(1, 2), (1, 3), (2, 3), (1, 5), (1, 7), (3, 4), (1, 4), (3, 5), (2, 5), (1, 1)];
+const HALF_ANGLES: [(i64, i64); 10] = [(1, 2), (1, 3), (2, 3), (1, 5), (1, 7), (3, 4), (1, 4), (3, 5), (2, 5), (1, 1)];
 
 impl Choice {
     pub(super) fn new(seed: u64, kind: u64, number: u64) -> Self {
@@ -90,9 +89,16 @@ impl Choice {
         Point::new(a, b)
     }
 
+    /// A unit vector whose denominator is a power of five, for figures that multiply several of them.
+    pub(super) fn of_fives(&mut self) -> Point {
+        let (a, b, h) = self.pick(&[(1, 0, 1), (3, 4, 5), (4, 3, 5), (7, 24, 25), (24, 7, 25)]);
+        Point::new(ratio(a, h), ratio(b, h)).turned(&self.quarter())
+    }
+
     /// The angle of an arc, as a unit vector: not nothing, and not a whole turn.
     pub(super) fn sweep(&mut self) -> Point {
-        let (a, b, h) = self.pick(&[(0, 1, 1), (-1, 0, 1), (0, -1, 1), (3, 4, 5), (4, 3, 5), (-3, 4, 5), (-7, -24, 25)]);
+        let (a, b, h) =
+            self.pick(&[(0, 1, 1), (-1, 0, 1), (0, -1, 1), (3, 4, 5), (4, 3, 5), (-3, 4, 5), (-7, -24, 25)]);
         Point::new(ratio(a, h), ratio(b, h))
     }
 

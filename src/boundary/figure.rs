@@ -17,8 +17,8 @@ pub(super) struct Figure {
     pub(super) nudge: Nudge,
     /// Whether the margin changes its sign with the nudge.
     pub(super) two_sided: bool,
-    /// Whether mirroring or reversing the contour turns the margin's sign around.
-    pub(super) odd: bool,
+    /// Whether the margin's sign turns around when the contour is mirrored, and when it is reversed.
+    pub(super) odd: [bool; 2],
     /// Lengths are thousandths of a millimetre already: the decision compares with a length of the profile.
     pub(super) to_scale: bool,
     /// The path may be run from its end to its start.
@@ -86,7 +86,7 @@ impl Figure {
             tool: Rational::from(1),
             nudge: Nudge { what: What::Tool, toward: Point::new(-1, 0) },
             two_sided: true,
-            odd: false,
+            odd: [false; 2],
             to_scale: false,
             reversible: true,
             approach: None,
@@ -160,7 +160,7 @@ impl Figure {
             What::Word(index) => What::Word(moves - 1 - index),
             What::Tool => What::Tool,
         };
-        if self.odd {
+        if self.odd[1] {
             self.nudge.toward = self.nudge.toward.opposite();
         }
         std::mem::swap(&mut self.approach, &mut self.away);
@@ -196,7 +196,7 @@ impl Figure {
                 *sense = sense.reversed();
             }
         }
-        if self.odd {
+        if self.odd[0] {
             self.nudge.toward = self.nudge.toward.opposite();
         }
     }

@@ -12,6 +12,9 @@ const LARGEST: i64 = 400_000;
 /// The smallest tool radius, in thousandths: one least increment is small beside it.
 const SMALLEST_TOOL: i64 = 100;
 
+/// How far a contour is moved, in thousandths: most of them little, some of them where f64 has few bits left.
+const SHIFTS: [i64; 8] = [0, 1_000, 40_000, 40_000, 40_000, 200_000, 1_000_000, 10_000_000];
+
 /// Moves a contour anywhere. None when its numbers have no common scale of reasonable size.
 pub(super) fn place(figure: Figure, choice: &mut Choice) -> Option<Figure> {
     let mut figure = if figure.reversible && choice.coin() { figure.reversed() } else { figure };
@@ -25,7 +28,8 @@ pub(super) fn place(figure: Figure, choice: &mut Choice) -> Option<Figure> {
         let scale = scale(&figure, choice)?;
         figure.map(|point| point.times(&scale), Point::clone, &scale);
     }
-    let shift = Point::new(choice.between(-40_000, 40_000), choice.between(-40_000, 40_000));
+    let far = choice.pick(&SHIFTS);
+    let shift = Point::new(choice.between(-far, far), choice.between(-far, far));
     figure.map(|point| point.plus(&shift), Point::clone, &Rational::from(1));
     Some(figure)
 }

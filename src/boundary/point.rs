@@ -58,7 +58,7 @@ impl Point {
 
     /// Turned by the angle of a unit vector, counter-clockwise.
     pub(super) fn turned(&self, by: &Point) -> Point {
-        Point { a: self.dot(&by.mirrored()), b: by.cross(&self.mirrored()) }
+        Point { a: self.dot(&by.mirrored()), b: self.mirrored().cross(by) }
     }
 
     /// Mirrored in the first axis; of a unit vector, the angle to the other side.

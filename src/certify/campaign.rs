@@ -14,6 +14,7 @@ use super::tally::Tally;
 use crate::device::Device;
 use crate::generate::{self, Reach};
 use crate::judge::{Budget, Judged, judge};
+use crate::metamorphic::{self, Broken};
 use crate::minimise::minimise;
 use crate::vectors;
 
@@ -58,6 +59,8 @@ pub struct Outcome {
     pub tally: Tally,
     /// Failed programs, in order; at most 200.
     pub failures: Vec<Failure>,
+    /// Relations between moved programs that the device broke, with the number of the program; at most 200.
+    pub broken: Vec<(u64, Broken)>,
     /// Failures of one cause: the group's name, how many, and the smallest program found.
     pub groups: Vec<(String, u64, Failure)>,
 }
@@ -66,6 +69,8 @@ pub struct Outcome {
 const MOST_FAILURES: usize = 200;
 /// How many causes are minimised.
 const MOST_GROUPS: usize = 8;
+/// One program in so many is also moved, mirrored, scaled, rotated and split; each costs about fifteen answers.
+const MOVED_ONE_IN: u64 = 32;
 /// How many programs a thread takes at a time.
 const CHUNK: u64 = 60;
 
@@ -96,6 +101,8 @@ pub fn certify<D: Device>(campaign: &Campaign, make: impl Fn() -> D + Sync, prog
     parts.sort_by_key(|part| part.from);
     for part in parts {
         outcome.tally.merge(part.tally);
+        let room = MOST_FAILURES - outcome.broken.len();
+        outcome.broken.extend(part.broken.into_iter().take(room));
         for failure in part.failures {
             note(failure, &mut outcome, &mut groups);
         }
@@ -109,10 +116,11 @@ struct Part {
     from: u64,
     tally: Tally,
     failures: Vec<Failure>,
+    broken: Vec<(u64, Broken)>,
 }
 
 fn judge_chunk(campaign: &Campaign, device: &mut impl Device, from: u64, to: u64) -> Part {
-    let mut part = Part { from, tally: Tally::default(), failures: Vec::new() };
+    let mut part = Part { from, tally: Tally::default(), failures: Vec::new(), broken: Vec::new() };
     let reach = Reach::of(&campaign.profile);
     for number in from..to {
         let blocks = generate::program(campaign.seed, number, reach);
@@ -120,6 +128,11 @@ fn judge_chunk(campaign: &Campaign, device: &mut impl Device, from: u64, to: u64
         part.tally.add(&blocks, &judged);
         if judged.verdict.is_red() {
             part.failures.push(Failure { name: format!("#{number}"), verdict: judged.verdict, blocks });
+        } else if number % MOVED_ONE_IN == 0 {
+            let broken = metamorphic::check(device, &campaign.profile.parameters, &blocks, &campaign.budget);
+            part.tally.moved += 1;
+            part.tally.broken += broken.len() as u64;
+            part.broken.extend(broken.into_iter().map(|broken| (number, broken)));
         }
     }
     part

@@ -23,6 +23,10 @@ pub struct Tally {
     pub verdicts: BTreeMap<&'static str, u64>,
     /// Counts by clause.
     pub clauses: BTreeMap<&'static str, ClauseTally>,
+    /// Programs that were checked against their images as well.
+    pub moved: u64,
+    /// Relations between a program and its images that the device broke.
+    pub broken: u64,
     /// Decisions by kind: negative, zero, positive margins.
     pub decisions: BTreeMap<&'static str, [u64; 3]>,
 }
@@ -91,6 +95,8 @@ impl Tally {
         self.programs += other.programs;
         self.blocks += other.blocks;
         self.corners += other.corners;
+        self.moved += other.moved;
+        self.broken += other.broken;
         for (verdict, count) in other.verdicts {
             *self.verdicts.entry(verdict).or_default() += count;
         }
@@ -109,10 +115,11 @@ impl Tally {
         }
     }
 
-    /// Programs that the device failed.
+    /// Programs that the device failed, and relations that it broke.
     pub fn red(&self) -> u64 {
         let green = ["exact", "admissible", "admissible-without-witness"];
-        self.verdicts.iter().filter(|(id, _)| !green.contains(id)).map(|(_, count)| count).sum()
+        let failed: u64 = self.verdicts.iter().filter(|(id, _)| !green.contains(id)).map(|(_, count)| count).sum();
+        failed + self.broken
     }
 
     /// Kinds of decisions that were never taken on one of their sides, with the side.

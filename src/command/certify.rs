@@ -162,8 +162,12 @@ fn print(out: &mut dyn Write, outcome: &Outcome, profile: &Profile) -> Result<()
         writeln!(out, "{} {failure}", terminal::bold("FAIL"))?;
     }
     let red = outcome.tally.red();
-    if red > MOST_LINES as u64 {
-        writeln!(out, "… and {} more failed programs", red - MOST_LINES as u64)?;
+    let failed = red - outcome.tally.broken;
+    if failed > MOST_LINES as u64 {
+        writeln!(out, "… and {} more failed programs", failed - MOST_LINES as u64)?;
+    }
+    for (number, broken) in outcome.broken.iter().take(MOST_LINES) {
+        writeln!(out, "{} #{number} {}: {}", terminal::bold("MOVED"), broken.relation, broken.difference)?;
     }
     for (name, count, smallest) in outcome.groups.iter().take(8) {
         counterexample(out, name, *count, smallest, profile)?;
@@ -194,6 +198,11 @@ fn print(out: &mut dyn Write, outcome: &Outcome, profile: &Profile) -> Result<()
     writeln!(out)?;
     let tally = &outcome.tally;
     writeln!(out, "{} programs, {} blocks, {} corners", tally.programs, tally.blocks, tally.corners)?;
+    writeln!(
+        out,
+        "{} programs also moved, mirrored, scaled, rotated and split: {} relations broken",
+        tally.moved, tally.broken
+    )?;
     for (verdict, count) in &tally.verdicts {
         let note = match *verdict {
             "admissible" => " (the exact outcome of an input within β: a witness)",

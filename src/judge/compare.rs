@@ -70,12 +70,41 @@ pub(crate) fn divergence(run: &Run, answer: &Answer, delta: f64) -> Option<Diver
     if let Some(divergence) = not_finite(answer) {
         return Some(divergence);
     }
-    let expected = strokes(&rounded(run), delta);
-    let observed = strokes(&answer.steps, delta);
+    let expected = strokes(&rounded(run), delta, true);
+    if let Some(divergence) = first_difference(&expected, &strokes(&answer.steps, delta, true), delta, true) {
+        return Some(divergence);
+    }
+    if run.alarm != answer.alarm {
+        let alarm = run.alarm.or(answer.alarm)?;
+        return Some(Divergence {
+            block: alarm.block,
+            clause: alarm.kind.clause(),
+            difference: Difference::Alarm(run.alarm, answer.alarm),
+            expected: None,
+            observed: None,
+        });
+    }
+    None
+}
+
+/// What differs between two paths, in words. Without `blocks`, lines are merged across blocks, and it does not matter
+/// which block an element belongs to.
+pub(crate) fn path_difference(
+    expected: &[Step<f64>],
+    observed: &[Step<f64>],
+    delta: f64,
+    blocks: bool,
+) -> Option<String> {
+    let (expected, observed) = (strokes(expected, delta, blocks), strokes(observed, delta, blocks));
+    let divergence = first_difference(&expected, &observed, delta, blocks)?;
+    Some(format!("{} at block {}: {:?}", divergence.clause, divergence.block + 1, divergence.difference))
+}
+
+fn first_difference(expected: &[Stroke], observed: &[Stroke], delta: f64, blocks: bool) -> Option<Divergence> {
     let (mut expected, mut observed) = (expected.iter().peekable(), observed.iter().peekable());
     while expected.peek().is_some() || observed.peek().is_some() {
         let (here, there) = (expected.peek().copied(), observed.peek().copied());
-        if let Some(difference) = differ(here, there, delta) {
+        if let Some(difference) = differ(here, there, delta, blocks) {
             // A move hardly longer than δ may stand on one side and be forgotten on the other.
             if here.is_some_and(|stroke| is_short(stroke, delta)) {
                 expected.next();
@@ -97,20 +126,10 @@ pub(crate) fn divergence(run: &Run, answer: &Answer, delta: f64) -> Option<Diver
         expected.next();
         observed.next();
     }
-    if run.alarm != answer.alarm {
-        let alarm = run.alarm.or(answer.alarm)?;
-        return Some(Divergence {
-            block: alarm.block,
-            clause: alarm.kind.clause(),
-            difference: Difference::Alarm(run.alarm, answer.alarm),
-            expected: None,
-            observed: None,
-        });
-    }
     None
 }
 
-fn differ(expected: Option<&Stroke>, observed: Option<&Stroke>, delta: f64) -> Option<Difference> {
+fn differ(expected: Option<&Stroke>, observed: Option<&Stroke>, delta: f64, blocks: bool) -> Option<Difference> {
     let (expected, observed) = match (expected, observed) {
         (Some(expected), Some(observed)) => (expected, observed),
         (Some(_), None) => return Some(Difference::Missing),
@@ -119,7 +138,7 @@ fn differ(expected: Option<&Stroke>, observed: Option<&Stroke>, delta: f64) -> O
     let off = distance(expected.to, observed.to);
     match (expected.shape, observed.shape) {
         (Shape::Hold, Shape::Hold) if off > delta => return Some(Difference::Place(off)),
-        (Shape::Hold, Shape::Hold) => return (expected.block != observed.block).then_some(Difference::Block),
+        (Shape::Hold, Shape::Hold) => return (blocks && expected.block != observed.block).then_some(Difference::Block),
         (Shape::Line, Shape::Line) => {}
         (Shape::Arc { centre: c1, direction: d1, full: f1 }, Shape::Arc { centre: c2, direction: d2, full: f2 }) => {
             if d1 != d2 || f1 != f2 {
@@ -137,7 +156,7 @@ fn differ(expected: Option<&Stroke>, observed: Option<&Stroke>, delta: f64) -> O
     if off > delta {
         return Some(Difference::End(off));
     }
-    (expected.block != observed.block).then_some(Difference::Block)
+    (blocks && expected.block != observed.block).then_some(Difference::Block)
 }
 
 fn is_short(stroke: &Stroke, delta: f64) -> bool {

@@ -13,6 +13,7 @@ mod verdict;
 mod witness;
 
 pub use budget::{Budget, Grade};
+pub(crate) use compare::path_difference;
 pub use compare::{Difference, Divergence};
 pub use fork::Flip;
 pub use stroke::{Shape, Stroke};

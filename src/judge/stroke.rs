@@ -43,8 +43,8 @@ pub(crate) fn distance(p: [f64; 2], q: [f64; 2]) -> f64 {
 }
 
 /// The strokes of a path that starts at (0, 0): moves no longer than `delta` are left out, and straight moves of one
-/// block that continue each other within `delta` are one.
-pub(crate) fn strokes(steps: &[Step<f64>], delta: f64) -> Vec<Stroke> {
+/// block (of any blocks, without `blocks`) that continue each other within `delta` are one.
+pub(crate) fn strokes(steps: &[Step<f64>], delta: f64, blocks: bool) -> Vec<Stroke> {
     let mut strokes: Vec<Stroke> = Vec::with_capacity(steps.len());
     let mut at = [0.0, 0.0];
     for step in steps {
@@ -59,7 +59,7 @@ pub(crate) fn strokes(steps: &[Step<f64>], delta: f64) -> Vec<Stroke> {
             Shape::Hold | Shape::Arc { full: true, .. } => strokes.push(stroke),
             _ if distance(stroke.from, to) <= delta => {}
             Shape::Line => match strokes.last_mut() {
-                Some(last) if continues(last, &stroke, delta) => last.to = to,
+                Some(last) if continues(last, &stroke, delta, blocks) => last.to = to,
                 _ => strokes.push(stroke),
             },
             Shape::Arc { .. } => strokes.push(stroke),
@@ -69,8 +69,8 @@ pub(crate) fn strokes(steps: &[Step<f64>], delta: f64) -> Vec<Stroke> {
 }
 
 /// Whether a straight stroke goes on along the one before, in the same block.
-fn continues(last: &Stroke, next: &Stroke, delta: f64) -> bool {
-    if last.shape != Shape::Line || last.block != next.block || last.rapid != next.rapid {
+fn continues(last: &Stroke, next: &Stroke, delta: f64, blocks: bool) -> bool {
+    if last.shape != Shape::Line || (blocks && last.block != next.block) || last.rapid != next.rapid {
         return false;
     }
     let whole = [next.to[0] - last.from[0], next.to[1] - last.from[1]];

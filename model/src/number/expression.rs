@@ -8,6 +8,10 @@ use super::node::{Node, Shape};
 /// The last step in the making of a number.
 ///
 /// The steps below are the operands' own expressions; an operand that is used twice has one [`Identity`].
+///
+/// # Exactness
+///
+/// The value of the step on the exact values of its operands is the number.
 #[derive(Clone, Copy, Debug)]
 pub enum Expression<'a> {
     /// A rational number.
@@ -29,6 +33,10 @@ pub enum Expression<'a> {
 }
 
 /// Tells the nodes of an expression apart; good as long as the number it was asked of, or one made from it, is kept.
+///
+/// # Exactness
+///
+/// Numbers of one identity are equal; equal numbers may have different ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Identity(*const Node);
 

@@ -16,9 +16,9 @@
 //! - the sign rule reads values, never whether a coefficient is written as 0: it yields "zero" when a = -b√c;
 //! - a divisor whose conjugate a - b√c is 0 is 2a (`divide`).
 //!
-//! So independence is no condition of exactness, only of speed; [`Tower::sqrt`] looks for the root among the numbers
-//! that exist before it makes a new one, and finds it if it is there (`root`). The roots of one tower are therefore
-//! independent. Numbers of different towers may be mixed.
+//! So independence is no condition of exactness, only of speed. [`Tower::sqrt`] looks for a root among the numbers made
+//! of the tower's roots before it makes a new one, and finds it if it is there (`root`): the roots of one tower are
+//! independent. Where numbers of different towers are mixed they need not be.
 //!
 //! ```
 //! use radcomp_model::tower::{Number, Tower};
@@ -76,6 +76,10 @@ struct Root {
 }
 
 /// Why there is no number.
+///
+/// # Exactness
+///
+/// Decided exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Refusal {

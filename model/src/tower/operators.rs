@@ -1,5 +1,6 @@
 //! Sums, differences and products.
 
+use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 use std::rc::Rc;
 
@@ -23,9 +24,9 @@ fn over<'a>(left: &'a Number, right: &'a Number) -> Over<'a> {
         (Shape::Pair(pair), Shape::Rational(_)) => Over::First(pair),
         (Shape::Rational(_), Shape::Pair(pair)) => Over::Second(pair),
         (Shape::Pair(a), Shape::Pair(b)) => match a.root.age.cmp(&b.root.age) {
-            core::cmp::Ordering::Greater => Over::First(a),
-            core::cmp::Ordering::Less => Over::Second(b),
-            core::cmp::Ordering::Equal => Over::Both(a, b),
+            Ordering::Greater => Over::First(a),
+            Ordering::Less => Over::Second(b),
+            Ordering::Equal => Over::Both(a, b),
         },
     }
 }

@@ -1,7 +1,8 @@
 //! Square roots: found among the numbers that exist, or made new.
 
+use core::cmp::Ordering;
+use core::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::rc::Rc;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use rug::{Integer, Rational};
 
@@ -9,7 +10,10 @@ use super::{Number, Pair, Refusal, Root, Shape};
 
 /// The square roots that numbers may be made of, each independent of those before it.
 ///
-/// Numbers whose roots come from one tower are quickest to work with; others mix with them and stay exact.
+/// # Exactness
+///
+/// Numbers of different towers mix and stay exact, but a tower knows its own roots only: to it the root of a number
+/// made of others is always a new one, which may depend on its own.
 pub struct Tower {
     roots: Vec<Rc<Root>>,
     most: usize,
@@ -17,18 +21,27 @@ pub struct Tower {
 
 impl Tower {
     /// The rationals, and room for at most this many independent roots.
+    ///
+    /// # Exactness
+    ///
+    /// The limit makes nothing inexact: beyond it there is no number.
     pub fn new(most: usize) -> Tower {
         Tower { roots: Vec::new(), most }
     }
 
     /// How many independent roots there are by now.
+    ///
+    /// # Exactness
+    ///
+    /// The field that the roots make is of degree 2 to this power over the rationals, unless numbers of other towers were
+    /// mixed in.
     pub fn height(&self) -> usize {
         self.roots.len()
     }
 
     /// The square root that is not negative.
     ///
-    /// If the number is a square in the field of the tower's roots, its root is found there. Otherwise the tower grows.
+    /// If the number is the square of a number made of the tower's roots, that number is found. Otherwise the tower grows.
     ///
     /// # Errors
     ///
@@ -40,11 +53,11 @@ impl Tower {
     /// Exact, both decisions included.
     pub fn sqrt(&mut self, number: &Number) -> Result<Number, Refusal> {
         match number.sign() {
-            core::cmp::Ordering::Less => return Err(Refusal::NegativeRadicand),
-            core::cmp::Ordering::Equal => return Ok(Number::zero()),
-            core::cmp::Ordering::Greater => {}
+            Ordering::Less => return Err(Refusal::NegativeRadicand),
+            Ordering::Equal => return Ok(Number::zero()),
+            Ordering::Greater => {}
         }
-        // √(c/d) = √(cd·d)/d, and c' = c·d has no denominators if d is common to all of them.
+        // The number is c/d with c free of denominators, and √(c/d) = √(cd)/d.
         let (cleared, denominator) = number.cleared();
         let radicand = cleared.scaled(&Rational::from(&denominator));
         let root = match root_within(&radicand, &self.roots) {
@@ -59,7 +72,7 @@ impl Tower {
     pub(super) fn adjoin(&mut self, radicand: Number) -> Number {
         // Only the order within one number matters, and a radicand is there before its root.
         static AGE: AtomicU64 = AtomicU64::new(0);
-        let root = Rc::new(Root { age: AGE.fetch_add(1, Ordering::Relaxed), radicand });
+        let root = Rc::new(Root { age: AGE.fetch_add(1, Relaxed), radicand });
         let number = Number::pair(Number::zero(), Number::integer(1), &root);
         self.roots.push(root);
         number

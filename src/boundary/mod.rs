@@ -1,0 +1,93 @@
+//! Boundary synthesis: for every decision, programs that lie exactly on it.
+//!
+//! The coordinates are plain decimals: directions are Pythagorean, half-angle tangents rational, arcs tangent or
+//! concentric, tools fit exactly. A contour is made in rational numbers of any unit, turned, mirrored, run backwards,
+//! and scaled until every number is a whole number of thousandths of a millimetre. Its neighbours have one point or one
+//! radius of the contour moved by one least increment, 0.001 mm, to either side.
+//!
+//! One seed gives the same programs on every machine, each triple independent of the others.
+
+mod arm;
+mod choice;
+mod contact;
+mod corner;
+mod figure;
+mod meet;
+mod place;
+mod point;
+mod program;
+mod wedge;
+mod words;
+
+use radcomp_spec::{Block, DecisionKind};
+use rug::Rational;
+
+use crate::generate::Reach;
+use choice::Choice;
+use figure::Figure;
+use program::Ends;
+
+/// A program exactly on a decision, between its two neighbours.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triple {
+    /// The decision.
+    pub kind: DecisionKind,
+    /// The family of contours, for reports.
+    pub family: &'static str,
+    /// Whether the margin has two signs. A margin that is a distance is positive to either side of zero.
+    pub two_sided: bool,
+    /// One least increment toward a smaller margin, on the decision, and one toward a greater margin.
+    pub programs: [Vec<Block<Rational>>; 3],
+}
+
+impl Triple {
+    /// What the programs are called in reports, in their order.
+    pub const NAMES: [&'static str; 3] = ["-1", "0", "+1"];
+}
+
+/// How often a contour is drawn until one can be written in thousandths of a millimetre.
+const MOST_DRAWS: usize = 400;
+
+/// The triple with this number for a decision, in the sequence of a seed. None if a profile's programs cannot take the
+/// decision, or, which has not been seen, no contour was found.
+///
+/// Under the parameters of the built-in profiles the program in the middle takes the decision with margin zero: the
+/// families of [`DecisionKind::EndOnArc`] and [`DecisionKind::NearCorner`] are made for an `arc-end-tolerance` of 0.01
+/// and a `far-intersection` of 5. Under others it may not come to that decision; the rules answer it all the same.
+pub fn triples(kind: DecisionKind, seed: u64, number: u64, reach: Reach) -> Option<Triple> {
+    let mut choice = Choice::new(seed, kind as u64, number);
+    let figure = (0..MOST_DRAWS).find_map(|_| place::place(figure(kind, &mut choice, reach)?, &mut choice))?;
+    let mut off = || [choice.between(-8, 8) * 1000 + 500, choice.between(-8, 8) * 1000 + 500];
+    let ends = Ends { approach: off(), away: off(), code_apart: choice.below(3) == 0 };
+    let at = |steps| program::program(&place::neighbour(&figure, steps), &ends, reach);
+    Some(Triple { kind, family: figure.family, two_sided: figure.two_sided, programs: [at(-1), at(0), at(1)] })
+}
+
+/// The first `count_per_kind` triples of every decision.
+pub fn all(seed: u64, count_per_kind: u64, reach: Reach) -> impl Iterator<Item = Triple> {
+    DecisionKind::ALL
+        .iter()
+        .flat_map(move |kind| (0..count_per_kind).filter_map(move |number| triples(*kind, seed, number, reach)))
+}
+
+fn figure(kind: DecisionKind, choice: &mut Choice, reach: Reach) -> Option<Figure> {
+    match kind {
+        DecisionKind::Moves => words::moves(choice),
+        DecisionKind::CentreDistance => words::centre_distance(choice),
+        DecisionKind::ChordFits => words::chord_fits(choice),
+        DecisionKind::EndOnArc => words::end_on_arc(choice),
+        DecisionKind::WholeTurn => corner::whole_turn(choice),
+        DecisionKind::ToolFitsArc => words::tool_fits(choice),
+        DecisionKind::CentresApart => contact::centres_apart(choice),
+        DecisionKind::Turn => corner::turn(choice),
+        DecisionKind::RightAngle => corner::right_angle(choice),
+        DecisionKind::OffsetsMeet => meet::offsets_meet(choice),
+        DecisionKind::ContactExists => meet::contact_exists(choice),
+        DecisionKind::ContactWithin => contact::contact_within(choice),
+        DecisionKind::NearerContact => contact::nearer_contact(choice),
+        DecisionKind::LineForward => wedge::line_forward(choice),
+        DecisionKind::ArcForward => wedge::arc_forward(choice),
+        DecisionKind::LineInForward => corner::line_in(choice, reach),
+        DecisionKind::NearCorner => wedge::near_corner(choice),
+    }
+}

@@ -1,0 +1,136 @@
+//! Metamorphic checks: what a device answers to a moved program must be its answer moved.
+//!
+//! They need no model of the rules, only the margins that tell where a device may change its mind: a program with a
+//! decision inside the band is passed over, since there the two answers may take different branches. Everywhere else
+//! a translation by decimals, a mirroring with the sides swapped, a scaling by ten, a rotation by a Pythagorean angle,
+//! and the splitting of a straight block leave the branches alone, and points follow to within δ. Passed over as well
+//! are programs whose vectors lie more than 100 mm from their corner, and splits that make a half of the line run
+//! backwards.
+
+mod motion;
+mod split;
+
+pub use motion::Motion;
+pub use split::split;
+
+use radcomp_model::number::Real;
+use radcomp_model::{Run, run};
+use radcomp_spec::{AdvisoryKind, Block, Parameters, Step};
+use rug::Rational;
+
+use crate::device::{Answer, Device, DeviceFault};
+use crate::judge::{Budget, path_difference};
+
+/// A relation that a device breaks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Broken {
+    /// The relation.
+    pub relation: &'static str,
+    /// The changed program.
+    pub program: Vec<Block<Rational>>,
+    /// What differs, in words.
+    pub difference: String,
+}
+
+/// The motions that are tried.
+pub fn motions() -> Vec<Motion> {
+    vec![
+        Motion::translation(123_457, -76_543),
+        Motion::translation(-500_001, 300_007),
+        Motion::mirroring(),
+        Motion::scaling(),
+        Motion::rotation(3, 4, 5),
+        Motion::rotation(-5, 12, 13),
+        Motion::rotation(0, -1, 1),
+    ]
+}
+
+/// Checks one program; the relations that the device breaks. Answers nothing for programs with a decision in the band
+/// of the program or of one of its images, and where the device gives no answer.
+pub fn check(
+    device: &mut dyn Device,
+    parameters: &Parameters,
+    blocks: &[Block<Rational>],
+    budget: &Budget,
+) -> Vec<Broken> {
+    // The tool starts at the origin, which a motion would have to move too.
+    let mut blocks = blocks.to_vec();
+    blocks.insert(0, approach());
+    let exact = run(parameters, &blocks);
+    if decides_within(&exact, budget.beta(&blocks) * 16.0) || is_sensitive(&exact) {
+        return Vec::new();
+    }
+    let Ok(answer) = device.answer(parameters, &blocks) else { return Vec::new() };
+    let mut broken = Vec::new();
+    for motion in motions() {
+        let program: Vec<_> = blocks.iter().map(|block| motion.block(block)).collect();
+        let mut scaled = *parameters;
+        scaled.arc_end_tolerance.numerator *= motion.scale;
+        if decides_within(&run(&scaled, &program), budget.beta(&program) * 16.0) {
+            continue;
+        }
+        let expected = moved(&answer, &motion);
+        let delta = budget.delta * f64::from(motion.scale);
+        let difference = compare(device.answer(&scaled, &program), &expected, delta, true);
+        broken.extend(difference.map(|difference| Broken { relation: motion.name, program, difference }));
+    }
+    if let Some(program) = split(&blocks, &exact)
+        && let image = run(parameters, &program)
+        && !runs_backwards(&image)
+        && !decides_within(&image, budget.beta(&program) * 16.0)
+    {
+        let difference = compare(device.answer(parameters, &program), &answer, budget.delta, false);
+        broken.extend(difference.map(|difference| Broken { relation: "splitting a line", program, difference }));
+    }
+    broken
+}
+
+fn approach() -> Block<Rational> {
+    let end = [Rational::from((777, 10)), Rational::from((-333, 10))];
+    Block::moving(radcomp_spec::Movement::Line { end })
+}
+
+/// Whether a decision that shapes the path has a margin that is not zero and not clear of the band; an exact zero is
+/// one in every image of the program, and both answers must treat it alike.
+fn decides_within(run: &Run, beta: f64) -> bool {
+    run.decisions.iter().any(|(decision, _)| {
+        let (low, high) = decision.margin.filter();
+        decision.kind.shapes_the_path() && low <= beta && high >= -beta && !(low == 0.0 && high == 0.0)
+    })
+}
+
+/// Vectors so far from their corner that a change in the last place of a coordinate moves them by more than a
+/// millionth of a millimetre: a program of that kind has no answer that a device could keep.
+fn is_sensitive(run: &Run) -> bool {
+    let far = Rational::from(FAR);
+    run.advisories
+        .iter()
+        .any(|advisory| advisory.kind == AdvisoryKind::FarIntersection && advisory.amount > Real::rational(far.clone()))
+}
+
+/// A tenth of a metre, in millimetres.
+const FAR: u32 = 100;
+
+/// Half of a line can run backwards where the whole does not.
+fn runs_backwards(run: &Run) -> bool {
+    use AdvisoryKind::{ReversedArc, ReversedLine};
+    run.alarm.is_some() || run.advisories.iter().any(|advisory| matches!(advisory.kind, ReversedLine | ReversedArc))
+}
+
+fn moved(answer: &Answer, motion: &Motion) -> Answer {
+    let steps = answer
+        .steps
+        .iter()
+        .map(|step| Step { segment: motion.segment(&step.segment, |point| motion.rounded(point)), ..step.clone() });
+    Answer { steps: steps.collect(), alarm: answer.alarm }
+}
+
+/// What differs between two answers, in words; with `blocks`, also where each element belongs.
+fn compare(answer: Result<Answer, DeviceFault>, expected: &Answer, delta: f64, blocks: bool) -> Option<String> {
+    let answer = answer.ok()?;
+    let kinds = (answer.alarm.map(|alarm| alarm.kind), expected.alarm.map(|alarm| alarm.kind));
+    if kinds.0 != kinds.1 {
+        return Some(format!("alarm {:?} instead of {:?}", kinds.0, kinds.1));
+    }
+    path_difference(&expected.steps, &answer.steps, delta, blocks)
+}

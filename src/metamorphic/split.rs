@@ -1,0 +1,39 @@
+//! Splitting a straight block.
+
+use radcomp_model::Run;
+use radcomp_spec::{Block, Clause, Compensation, Movement, clause};
+use rug::Rational;
+
+/// The program with one compensated line split in the middle, if that may not change its path: not in a program whose
+/// sides change or whose tool runs backwards somewhere, since those rules look at whole blocks.
+pub fn split(blocks: &[Block<Rational>], exact: &Run) -> Option<Vec<Block<Rational>>> {
+    const WHOLE_BLOCKS: [Clause; 2] = [clause::TRC_SIDE_02, clause::TRC_SIDE_03];
+    let by_whole_blocks = exact.steps.iter().any(|step| WHOLE_BLOCKS.contains(&step.clause));
+    // Start-up, cancel and settled junctions look at the block next to them.
+    let plain = [clause::TRC_CORNER_03, clause::TRC_CORNER_04, clause::TRC_CORNER_06, clause::TRC_CORNER_08];
+    if by_whole_blocks || super::runs_backwards(exact) {
+        return None;
+    }
+    let index = exact.steps.iter().enumerate().skip(1).find_map(|(index, step)| {
+        let before = exact.steps.get(index - 1)?;
+        let here = step.main && plain.contains(&step.clause) && plain.contains(&before.clause);
+        let line = matches!(blocks.get(step.block)?.movement, Movement::Line { .. });
+        (here && line && blocks[step.block].compensation != Some(Compensation::Off)).then_some(step.block)
+    })?;
+    let start = start_of(blocks, index)?;
+    let Movement::Line { end } = &blocks[index].movement else { return None };
+    let middle = [0, 1].map(|axis| Rational::from(&start[axis] + &end[axis]) / 2_u32);
+    let mut program = blocks.to_vec();
+    let first = Block { movement: Movement::Line { end: middle }, ..blocks[index].clone() };
+    let rest = Block { compensation: None, radius: None, corner: None, ..blocks[index].clone() };
+    program.splice(index..=index, [first, rest]);
+    Some(program)
+}
+
+/// Where the program stands before a block.
+fn start_of(blocks: &[Block<Rational>], index: usize) -> Option<[Rational; 2]> {
+    blocks[..index].iter().rev().find_map(|block| match &block.movement {
+        Movement::Line { end } | Movement::Arc { end, .. } => Some(end.clone()),
+        Movement::None | Movement::Dummy { .. } => None,
+    })
+}
