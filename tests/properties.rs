@@ -70,7 +70,7 @@ fn commutes(parameters: &Parameters, blocks: &[Block<Rational>], motion: &Motion
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(120))]
+    #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
     fn translation_commutes(profile in 0_usize..3, seed: u64, a in -100_000_i64..100_000, b in -100_000_i64..100_000) {

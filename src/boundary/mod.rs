@@ -6,6 +6,19 @@
 //! radius of the contour moved by one least increment, 0.001 mm, to either side.
 //!
 //! One seed gives the same programs on every machine, each triple independent of the others.
+//!
+//! Some boundaries have no such programs, or only one side:
+//!
+//! * a margin that is a distance is positive to either side of zero: `moves`, `centre-distance`, `centres-apart` and
+//!   `whole-turn`;
+//! * `whole-turn`: only circles tangent to both neighbours lie on it, at an outer corner the tool passes the circle's own
+//!   normal whatever the angle;
+//! * `offsets-meet` and `contact-exists`: a line and an arc with the tool outside it, and two arcs with the tool outside
+//!   or inside both, touch from inside at tangents and cusps alone, where the two radii and the distance of the centres grow
+//!   together: the margin is zero at every tool radius and turns negative at none;
+//! * `near-corner`: at a limit of five radii no corner with a line lies on it, because √24 is no ratio of decimals
+//!   (`wedge.rs` proves it); two arcs do;
+//! * `nearer-contact` with a line asks for a tool of at least four times the arc's radius.
 
 mod arm;
 mod choice;
@@ -48,8 +61,8 @@ impl Triple {
 /// How often a contour is drawn until one can be written in thousandths of a millimetre.
 const MOST_DRAWS: usize = 400;
 
-/// The triple with this number for a decision, in the sequence of a seed. None if a profile's programs cannot take the
-/// decision, or, which has not been seen, no contour was found.
+/// The triple with this number for a decision, in the sequence of a seed. None if no contour was found within a
+/// bounded number of draws, which has not been seen in 100,000 triples.
 ///
 /// Under the parameters of the built-in profiles the program in the middle takes the decision with margin zero: the
 /// families of [`DecisionKind::EndOnArc`] and [`DecisionKind::NearCorner`] are made for an `arc-end-tolerance` of 0.01

@@ -68,9 +68,14 @@ pub(super) fn arc_forward(choice: &mut Choice) -> Option<Figure> {
 
 /// [TRC-WEDGE-01] inner corners whose vector is exactly five radii long, the limit of every built-in profile.
 ///
-/// No corner with a line is: the vector would lie √24·r along the line, and √24 is the slope of no two decimal
-/// points (24 times a square is not a sum of two squares). So two arcs: with V = 5·r·w from the corner and unit vectors
-/// w, c1, c2, the circle with its centre in direction c passes through V when `R·(5·w·c ± 1) = 12·r`.
+/// No corner with a line is. The vector would lie at `V = -√24·r·u1 + r·n(u1)`. Between two lines the half-angle would have
+/// the tangent √24 and so the angle the tangent -2·√24/23, but the tangent between two decimal vectors is rational. An
+/// arc with its centre at (x, y) from the corner, along u1 and n(u1), passes V when
+/// `12·r = -√24·x + y ± √(x² + y²)`; with d the line's decimal vector, `x·|d|` and `y·|d|` are rational, and then only x = 0
+/// solves it, the tangent, which is no inner corner.
+///
+/// So two arcs: with `V = 5·r·w` and unit vectors w and c, the circle with its centre in direction c passes V when
+/// `R·(5·w·c ± 1) = 12·r`.
 pub(super) fn near_corner(choice: &mut Choice) -> Option<Figure> {
     const MOST_DRAWS: usize = 100;
     (0..MOST_DRAWS).find_map(|_| far_intersection(choice))
@@ -90,7 +95,8 @@ fn far_intersection(choice: &mut Choice) -> Option<Figure> {
         let ray = vector.minus(&along.times(&radius));
         (offset_radius > 0).then(|| (along.times(&radius), ray.times(&offset_radius.recip()), outward))
     };
-    let (s1, s2) = choice.pick(&[(Clockwise, Clockwise), (Counterclockwise, Clockwise), (Counterclockwise, Counterclockwise)]);
+    let (s1, s2) =
+        choice.pick(&[(Clockwise, Clockwise), (Counterclockwise, Clockwise), (Counterclockwise, Counterclockwise)]);
     let ((c1, ray1, out1), (c2, ray2, out2)) = (circle(s1, choice)?, circle(s2, choice)?);
     // [TRC-CORNER-01] at the corner, [TRC-CORNER-04] at the vector: the path turns to the left.
     let senses = sign(s1) * sign(s2);

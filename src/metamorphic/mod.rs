@@ -15,7 +15,7 @@ pub use split::split;
 
 use radcomp_model::number::Real;
 use radcomp_model::{Run, run};
-use radcomp_spec::{AdvisoryKind, Block, Parameters, Step};
+use radcomp_spec::{AdvisoryKind, Block, DecisionKind, Parameters, Step};
 use rug::Rational;
 
 use crate::device::{Answer, Device, DeviceFault};
@@ -90,12 +90,15 @@ fn approach() -> Block<Rational> {
     Block::moving(radcomp_spec::Movement::Line { end })
 }
 
-/// Whether a decision that shapes the path has a margin that is not zero and not clear of the band; an exact zero is
-/// one in every image of the program, and both answers must treat it alike.
+/// Whether a decision that shapes the path lies in the band. An exact zero counts too, but for decisions on whose two
+/// sides the path is the same: an image of it may be rounded to either side.
 fn decides_within(run: &Run, beta: f64) -> bool {
+    use DecisionKind::{Moves, RightAngle, Turn, WholeTurn};
     run.decisions.iter().any(|(decision, _)| {
         let (low, high) = decision.margin.filter();
-        decision.kind.shapes_the_path() && low <= beta && high >= -beta && !(low == 0.0 && high == 0.0)
+        let zero = low == 0.0 && high == 0.0;
+        let alike = zero && matches!(decision.kind, Moves | RightAngle | Turn | WholeTurn);
+        decision.kind.shapes_the_path() && low <= beta && high >= -beta && !alike
     })
 }
 

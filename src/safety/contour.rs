@@ -185,8 +185,7 @@ impl Stretch {
             let last = pieces.len() - 1;
             let front = front(element, self.side);
             for (place, piece) in pieces.into_iter().enumerate() {
-                let mut joints =
-                    [if place == 0 { entry } else { smooth }, if place == last { exit } else { smooth }];
+                let mut joints = [if place == 0 { entry } else { smooth }, if place == last { exit } else { smooth }];
                 if matches!(&element.shape, ElementShape::Arc(turn) if !turn.ccw) {
                     joints.reverse();
                 }

@@ -103,9 +103,7 @@ pub(crate) fn gap(path: &Piece, wall: &Piece) -> Gap {
 fn lines(path: &Piece, wall: &Piece, gap: &mut Gap) {
     let (v, w) = (minus(&path.b, &path.a), minus(&wall.b, &wall.a));
     let across = |w: &Spot, from: &Spot, of: &Piece| [&of.a, &of.b].map(|end| cross(w, &minus(end, from)));
-    let apart = |[x, y]: [Interval; 2]| {
-        (x.is_positive() && y.is_positive()) || (x.is_negative() && y.is_negative())
-    };
+    let apart = |[x, y]: [Interval; 2]| (x.is_positive() && y.is_positive()) || (x.is_negative() && y.is_negative());
     let sides = across(&w, &wall.a, path);
     if apart(sides) || apart(across(&v, &path.a, wall)) || box_gap(&path.extent(), &wall.extent()) > 0.0 {
         return;

@@ -98,8 +98,7 @@ fn part(element: &Element, at: [f64; 2], up_to: bool) -> Element {
             let arm = minus(&spot(at), &turn.centre);
             let left = [-arm[1], arm[0]];
             let tangent = if turn.ccw { left } else { times(&left, Interval::of(-1.0)) };
-            let tangents =
-                if up_to { [element.tangents[0], tangent] } else { [tangent, element.tangents[1]] };
+            let tangents = if up_to { [element.tangents[0], tangent] } else { [tangent, element.tangents[1]] };
             Element {
                 shape: ElementShape::Arc(turn),
                 curve: Curve::arc(centre, middles[0], middles[1], turn.ccw, false),

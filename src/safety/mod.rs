@@ -1,10 +1,22 @@
 //! draft
-pub(crate) mod contour; mod curve; mod distance; mod index; mod interval; mod leads; mod path; mod piece; mod program; mod search; mod side; mod uncut; mod verdict;
+pub(crate) mod contour;
+mod curve;
+mod distance;
+mod index;
+mod interval;
+mod leads;
+mod path;
+mod piece;
+mod program;
+mod search;
+mod side;
+mod uncut;
+mod verdict;
 pub use contour::Contour;
-pub use verdict::{Finding, Gouge, SafetyVerdict, Uncut};
 use path::{Move, beside};
 use radcomp_spec::Step;
 use search::{Search, Walls};
+pub use verdict::{Finding, Gouge, SafetyVerdict, Uncut};
 
 /// Largest magnitude of a coordinate that is looked at, in millimetres.
 const LARGEST: f64 = 1e12;

@@ -152,7 +152,8 @@ fn running_on_past_the_start_is_no_gouge() {
 /// Arcs lead to the contour and away from it.
 #[test]
 fn leads_are_no_contour() {
-    let text = "G00 X-30 Y40\nG41 D1 G01 X-20 Y40 F1\nG03 X0 Y20 I20 J0\nG02 X0 Y20 I20 J0\nG03 X20 Y40 I0 J20\nG40 X30";
+    let text =
+        "G00 X-30 Y40\nG41 D1 G01 X-20 Y40 F1\nG03 X0 Y20 I20 J0\nG02 X0 Y20 I20 J0\nG03 X20 Y40 I0 J20\nG40 X30";
     let text = &text.replace("G03 X0 Y20 I20 J0\n", "G03 X0 Y20 I20 J0\nG01 Y10\n");
     let square = "G00 X-60 Y60\nG41 D1 G01 X-30 Y60 F1\nG03 X0 Y30 I30 J0\nG01 X50\nY-30\nX-50\nY30\nX0\nG03 X30 Y60 I0 J30\nG01 G40 X60";
     let verdict = verdict_of(square, 5000, 1e-9);

@@ -15,11 +15,8 @@ fn gear(count: u32, side: Side) -> Vec<Block<Rational>> {
         [at(radius * turn.cos()), at(radius * turn.sin())]
     };
     let line = |end| Block::moving(Movement::Line { end });
-    let mut blocks = vec![Block {
-        compensation: Some(Compensation::On(side)),
-        radius: Some(Rational::from(5)),
-        ..line(point(0))
-    }];
+    let mut blocks =
+        vec![Block { compensation: Some(Compensation::On(side)), radius: Some(Rational::from(5)), ..line(point(0)) }];
     blocks.extend((1..=count).map(|index| line(point(index))));
     blocks.push(Block { compensation: Some(Compensation::Off), ..line([Rational::new(), Rational::new()]) });
     blocks
