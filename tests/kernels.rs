@@ -75,27 +75,20 @@ impl Tally {
 }
 
 /// Whether a decision may be other than zero though its margin is zero.
-fn zero_is_enough(decision: &Decision, blocks: &[Block<Rational>]) -> bool {
+fn zero_is_enough(decision: &Decision) -> bool {
     match decision.kind {
         // The margin is a distance: at zero the two sweeps may be equal or a whole turn apart, which runs backwards.
         DecisionKind::ArcForward => decision.exact == Ordering::Less,
-        // The margin is at most the tool's radius, and so zero for a tool of radius zero wherever the contact is.
-        DecisionKind::ContactWithin => {
-            let mut radii = blocks.iter().take(decision.block + 1).filter_map(|block| block.radius.as_ref());
-            // A tool that has none yet has radius zero.
-            let point_at_first = radii.next().is_none_or(|radius| radius.is_zero());
-            decision.exact == Ordering::Greater && (point_at_first || radii.any(|radius| radius.is_zero()))
-        }
         _ => false,
     }
 }
 
 /// Every decision's margin has the decision's sign.
-fn decisions(name: &str, blocks: &[Block<Rational>], run: &Run, tally: &mut Tally) {
+fn decisions(name: &str, _: &[Block<Rational>], run: &Run, tally: &mut Tally) {
     for (index, (decision, _)) in run.decisions.iter().enumerate() {
         let place = || format!("{name}, decision {index} in block {}, {}", decision.block, decision.kind.id());
         let Some(sign) = tally.compare(&decision.margin, place) else { continue };
-        if sign.is_eq() && decision.exact.is_ne() && zero_is_enough(decision, blocks) {
+        if sign.is_eq() && decision.exact.is_ne() && zero_is_enough(decision) {
             tally.waived += 1;
         } else if sign != decision.exact {
             tally.disagreements.push(format!("{}: margin {sign:?}, decision {:?}", place(), decision.exact));

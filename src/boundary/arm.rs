@@ -71,7 +71,7 @@ impl Arm {
     fn centre(&self, along: &Point) -> Option<Point> {
         match self {
             Arm::Line { .. } => None,
-            Arm::Arc { radius, sense, .. } => Some(along.perp().times(&Rational::from(radius * sign(*sense)))),
+            Arm::Arc { radius, sense, .. } => Some(along.perp().times(&(radius * sign(*sense)))),
         }
     }
 

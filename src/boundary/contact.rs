@@ -59,8 +59,8 @@ fn line_and_arc(choice: &mut Choice) -> Option<Figure> {
     let centre = choice.direction().times(&radius);
     let sense = choice.sense();
     // Right of a counter-clockwise arc the tool is outside.
-    let tool: Rational = (Rational::from(&centre.a + &centre.b) + Rational::from(&radius * sign(sense))) * 2;
-    let offset_radius = Rational::from(&radius + Rational::from(&tool * sign(sense)));
+    let tool: Rational = (Rational::from(&centre.a + &centre.b) + &radius * sign(sense)) * 2;
+    let offset_radius = &tool * sign(sense) + &radius;
     let across = Rational::from(&tool - &centre.a);
     if tool <= 0 || offset_radius <= 0 || across == 0 {
         return None;

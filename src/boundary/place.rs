@@ -4,7 +4,7 @@
 use rug::{Integer, Rational};
 
 use super::choice::Choice;
-use super::figure::{Figure, What};
+use super::figure::{Figure, Shape, What};
 use super::point::Point;
 
 /// The largest extent of a contour, in thousandths of a millimetre.
@@ -31,7 +31,8 @@ pub(super) fn place(figure: Figure, choice: &mut Choice) -> Option<Figure> {
     let far = choice.pick(&SHIFTS);
     let shift = Point::new(choice.between(-far, far), choice.between(-far, far));
     figure.map(|point| point.plus(&shift), Point::clone, &Rational::from(1));
-    Some(figure)
+    let whole = figure.numbers().all(|number| *number.denom() == 1);
+    whole.then_some(figure)
 }
 
 /// A multiple of the least scale that makes every number whole.
@@ -57,26 +58,26 @@ fn scale(figure: &Figure, choice: &mut Choice) -> Option<Rational> {
 /// The contour with its nudged number changed by so many least increments toward a greater margin.
 pub(super) fn neighbour(figure: &Figure, steps: i64) -> Figure {
     let mut moved = figure.clone();
-    if steps == 0 {
-        return moved;
-    }
     let toward = &figure.nudge.toward;
-    let by = |component: &Rational| Rational::from(if component.is_negative() { -steps } else { steps });
     let along_first = toward.a.clone().abs() >= toward.b.clone().abs();
-    let step = |point: &mut Point| {
-        if along_first { point.a += by(&toward.a) } else { point.b += by(&toward.b) }
-    };
-    match figure.nudge.what {
-        What::Vertex(index) => moved.vertices.get_mut(index).map(step),
-        What::Centre(index) => match moved.moves.get_mut(index).map(|each| &mut each.shape) {
-            Some(super::figure::Shape::Arc { centre, .. }) => Some(step(centre)),
-            _ => None,
-        },
-        What::Word(index) => match moved.moves.get_mut(index).map(|each| &mut each.shape) {
-            Some(super::figure::Shape::Radius { radius, .. }) => Some(*radius += by(&toward.a)),
-            _ => None,
-        },
-        What::Tool => Some(moved.tool += by(&toward.a)),
-    };
+    let component = if along_first { &toward.a } else { &toward.b };
+    let by = if component.is_negative() { -steps } else { steps };
+    if let Some(number) = number(&mut moved, figure.nudge.what, along_first) {
+        *number += by;
+    }
     moved
+}
+
+/// A number of the contour; of a point the first or the second coordinate.
+fn number(figure: &mut Figure, what: What, first: bool) -> Option<&mut Rational> {
+    let point = match what {
+        What::Tool => return Some(&mut figure.tool),
+        What::Vertex(index) => figure.vertices.get_mut(index)?,
+        What::Centre(index) | What::Word(index) => match &mut figure.moves.get_mut(index)?.shape {
+            Shape::Line => return None,
+            Shape::Arc { centre, .. } => centre,
+            Shape::Radius { radius, .. } => return Some(radius),
+        },
+    };
+    Some(if first { &mut point.a } else { &mut point.b })
 }

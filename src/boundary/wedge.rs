@@ -47,7 +47,7 @@ pub(super) fn arc_forward(choice: &mut Choice) -> Option<Figure> {
     let tool = if fits {
         a.clone()
     } else {
-        let under = Rational::from(&b * sign(sense)) + &radius;
+        let under = &b * sign(sense) + &radius;
         Rational::from(&a + &b) * &radius / under
     };
     if sense == Counterclockwise && tool >= radius {
@@ -100,7 +100,7 @@ fn far_intersection(choice: &mut Choice) -> Option<Figure> {
     let ((c1, ray1, out1), (c2, ray2, out2)) = (circle(s1, choice)?, circle(s2, choice)?);
     // [TRC-CORNER-01] at the corner, [TRC-CORNER-04] at the vector: the path turns to the left.
     let senses = sign(s1) * sign(s2);
-    if Rational::from(&senses * c1.cross(&c2)) <= 0 || Rational::from(&senses * ray1.cross(&ray2)) <= 0 {
+    if c1.cross(&c2) * &senses <= 0 || ray1.cross(&ray2) * senses <= 0 {
         return None;
     }
     let start = c1.plus(&swept(&c1.opposite(), &choice.sweep(), s1.reversed()));

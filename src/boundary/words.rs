@@ -42,10 +42,10 @@ pub(super) fn moves(choice: &mut Choice) -> Option<Figure> {
 /// of a few least increments.
 pub(super) fn centre_distance(choice: &mut Choice) -> Option<Figure> {
     let side = choice.coin().then_some(Side::Left);
-    let start = choice.direction().times(&Rational::from(choice.between(1, 3000) * 25)).opposite();
+    let start = choice.of_fives().times(&Rational::from(choice.between(1, 3000) * 25)).opposite();
     let sense = choice.sense();
     let small = Point::new(choice.between(2, 8), 0);
-    let far = choice.direction().times(&Rational::from(choice.between(1, 3000) * 25));
+    let far = choice.of_fives().times(&Rational::from(choice.between(1, 3000) * 25));
     let tool = Rational::from(choice.between(1, 4000));
     let figure =
         |family| Figure::new(family, start.clone()).on(side).tool(tool.clone()).one_sided().line(Point::origin());
@@ -95,7 +95,7 @@ pub(super) fn end_on_arc(choice: &mut Choice) -> Option<Figure> {
     let outward = if wanted > h * times { to.opposite() } else { to.clone() };
     let side = choice.coin().then_some(Side::Left);
     let tool = Rational::from(choice.between(1, h * times / 2));
-    let start = from.plus(&choice.direction().times(&Rational::from(choice.between(1, 900) * 25)));
+    let start = from.plus(&choice.of_fives().times(&Rational::from(choice.between(1, 900) * 25)));
     let mut figure = Figure::new("radii 0.01 apart", start).on(side).tool(tool).line(from);
     figure = figure.arc(to.clone(), Point::origin(), choice.sense());
     if choice.coin() {

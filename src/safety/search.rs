@@ -1,16 +1,28 @@
 //! The search for the worst gouge: branch and bound over pieces of the path, each bound proved.
 
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
 use super::contour::Wall;
 use super::distance::{box_gap, farthest, gap, nearest_on, point_to_piece};
 use super::index::Index;
-use super::interval::{Interval, Spot, spot};
+use super::interval::{Interval, Spot, middle, spot};
 use super::path::Move;
 use super::piece::{Hull, Piece};
 use super::side::{Standing, standing};
 use super::verdict::{Finding, Gouge};
 
 /// Pieces that the search cuts in halves at most, all in all; what is left then is answered by its bounds.
-const MOST_CUTS: usize = 200_000;
+const MOST_CUTS: usize = 1_000_000;
+
+/// The same for one move.
+const CUTS_OF_A_MOVE: usize = 1_000;
+
+/// The same in a row where the bounds have a closed form and hardly get better.
+const VAIN_CUTS: u8 = 4;
+
+/// How well the greatest depth is found, as a part of it, where it has no closed form: behind the contour.
+const PRECISION: f64 = 1e-7;
 
 /// The walls of a stretch, findable.
 pub(crate) struct Walls {
@@ -28,14 +40,18 @@ pub(crate) struct Search {
     doubtful: Option<Gouge>,
     /// Nothing is deeper.
     at_most: f64,
-    cuts: usize,
+    cuts_left: usize,
 }
 
-/// The depth on a piece of path: bounds, and the places that they come from.
-struct Depth {
-    low: f64,
-    high: f64,
+/// A piece of path with bounds of the greatest depth on it, and the walls that matter there.
+struct Bounded {
+    piece: Piece,
+    near: Vec<usize>,
     gouge: Gouge,
+    /// All of it is on the tool's side: the bounds have a closed form.
+    free: bool,
+    /// How often it has been cut all the same.
+    vain: u8,
 }
 
 impl Walls {
@@ -59,32 +75,50 @@ impl Walls {
 
 impl Search {
     pub(crate) fn new(budget: f64) -> Self {
-        Search { budget, deepest: None, doubtful: None, at_most: f64::NEG_INFINITY, cuts: 0 }
+        Search { budget, deepest: None, doubtful: None, at_most: f64::NEG_INFINITY, cuts_left: MOST_CUTS }
     }
 
     /// Looks at one move.
     pub(crate) fn look(&mut self, step: &Move, walls: &Walls, radius: Interval) {
-        let mut open = vec![(step.piece, walls.candidates(step))];
-        while let Some((piece, candidates)) = open.pop() {
-            let (depth, candidates) = depth(&piece, step.block, candidates, walls, radius);
-            if depth.low > self.deepest.map_or(self.budget, |gouge| gouge.depth.0) {
-                self.deepest = Some(depth.gouge);
-            }
-            let settled = match &self.deepest {
-                Some(gouge) => gouge.depth.0 + 1e-7 * radius.high + 1e-12 * piece.extent()[1][0].abs(),
-                None => self.budget,
-            };
-            let exhausted = self.cuts >= MOST_CUTS || piece.chord() < 1e-9 * (radius.high + self.budget);
-            if depth.high <= settled || exhausted {
-                self.at_most = self.at_most.max(depth.high);
-                if self.doubtful.is_none_or(|gouge| gouge.depth.1 < depth.high) {
-                    self.doubtful = Some(depth.gouge);
+        let first = self.bounded(step.piece, step.block, &walls.candidates(step), walls, radius);
+        let tiny = 1e-12 * (radius.high + self.budget);
+        let mut cuts = CUTS_OF_A_MOVE.min(self.cuts_left);
+        // The piece that may hold the greatest depth comes first.
+        let mut open = BinaryHeap::from([first]);
+        while let Some(Bounded { piece, near, gouge, free, vain }) = open.pop() {
+            let settled = gouge.depth.1 <= self.settled();
+            if settled || cuts == 0 || vain == VAIN_CUTS || piece.chord() < tiny {
+                self.at_most = self.at_most.max(gouge.depth.1);
+                if self.doubtful.is_none_or(|doubtful| doubtful.depth.1 < gouge.depth.1) {
+                    self.doubtful = Some(gouge);
+                }
+                if settled {
+                    // No piece left is deeper.
+                    return;
                 }
                 continue;
             }
-            self.cuts += 1;
-            open.extend(piece.halves().map(|half| (half, candidates.clone())));
+            cuts -= 1;
+            self.cuts_left -= 1;
+            for half in piece.halves() {
+                let half = self.bounded(half, step.block, &near, walls, radius);
+                open.push(Bounded { vain: if free { vain + 1 } else { 0 }, ..half });
+            }
         }
+    }
+
+    /// A depth that need not be looked into: within the budget, or hardly more than what is proved.
+    fn settled(&self) -> f64 {
+        self.deepest.map_or(self.budget, |gouge| gouge.depth.0 * (1.0 + PRECISION) + 1e-12)
+    }
+
+    /// The bounds of the depth on a piece; a proved gouge is noted.
+    fn bounded(&mut self, piece: Piece, block: usize, near: &[usize], walls: &Walls, radius: Interval) -> Bounded {
+        let bounded = bounded(piece, block, near, walls, radius);
+        if bounded.gouge.depth.0 > self.deepest.map_or(self.budget, |gouge| gouge.depth.0) {
+            self.deepest = Some(bounded.gouge);
+        }
+        bounded
     }
 
     /// What has been proved.
@@ -99,35 +133,55 @@ impl Search {
     }
 }
 
-/// Bounds of the greatest depth on a piece of path, and the walls that matter there.
-fn depth(piece: &Piece, block: usize, mut near: Vec<usize>, walls: &Walls, radius: Interval) -> (Depth, Vec<usize>) {
+impl Ord for Bounded {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.gouge.depth.1.total_cmp(&other.gouge.depth.1)
+    }
+}
+
+impl PartialOrd for Bounded {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Bounded {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Bounded {}
+
+/// Bounds of the greatest depth on a piece of path.
+fn bounded(piece: Piece, block: usize, near: &[usize], walls: &Walls, radius: Interval) -> Bounded {
+    let mut near = near.to_vec();
     let hull = piece.hull();
     let extent = piece.extent();
     // No point is farther from the contour than this.
-    let reach = near.iter().map(|wall| farthest(piece, &hull, &walls.walls[*wall].piece)).fold(f64::INFINITY, f64::min);
+    let reach = near.iter().map(|wall| farthest(&piece, &hull, &walls.walls[*wall].piece)).fold(f64::INFINITY, f64::min);
     let mut nearest = f64::INFINITY;
-    let mut at = super::interval::middle(&piece.a);
+    let mut at = middle(&piece.a);
     near.retain(|wall| {
         if box_gap(&extent, &walls.extents[*wall]) > reach {
             return false;
         }
-        let gap = gap(piece, &walls.walls[*wall].piece);
+        let gap = gap(&piece, &walls.walls[*wall].piece);
         if gap.low < nearest {
             (nearest, at) = (gap.low, gap.at);
         }
         gap.low <= reach
     });
     let stands = near.iter().fold(Standing::Elsewhere, |stands, wall| {
-        if stands == Standing::Mixed { stands } else { stands.and(standing(piece, &hull, &walls.walls[*wall])) }
+        if stands == Standing::Mixed { stands } else { stands.and(standing(&piece, &hull, &walls.walls[*wall])) }
     });
     let free = matches!(stands, Standing::Free | Standing::Elsewhere);
     let high = if free { radius - Interval::of(nearest) } else { radius + Interval::of(reach) }.high;
-    if !free {
-        at = piece.centre_point();
-    }
-    let gouge = depth_at(at, piece, &near, walls, radius);
+    let places = if free { vec![at] } else { vec![piece.centre_point(), middle(&piece.a), middle(&piece.b)] };
+    let gouges = places.into_iter().map(|at| depth_at(at, &piece, &near, walls, radius));
+    let Some(gouge) = gouges.max_by(|x, y| x.depth.0.total_cmp(&y.depth.0)) else { unreachable!() };
     let gouge = Gouge { depth: (gouge.depth.0, high.max(gouge.depth.0)), path_block: block, ..gouge };
-    (Depth { low: gouge.depth.0, high: gouge.depth.1, gouge }, near)
+    Bounded { piece, near, gouge, free, vain: 0 }
 }
 
 /// A proved lower bound of the depth where the tool's centre stands at a point of a piece, or as near as rounding lets.

@@ -60,7 +60,7 @@ fn compare(seed: u64, count: usize) -> Tally {
         let mut dice = Dice::new(number);
         let shape = star(&mut dice, dice_has_arcs(number));
         let (code, sign) = if number % 4 < 2 { ("G41", 1.0) } else { ("G42", -1.0) };
-        let radius = dice.between(500, 9000) as u32;
+        let radius = dice.between(1500, 24_000) as u32;
         let contour = polyline(&shape);
         if contour.scan_for_self_intersect() {
             tally.crossing += 1;

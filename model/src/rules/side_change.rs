@@ -144,7 +144,8 @@ fn within(point: &Vector, element: &Element, side: Side, radius: &Real, judgemen
             }
         }
     };
-    judgement.decide(DecisionKind::ContactWithin, &margin, smaller(margin.clone(), radius.clone())) != Ordering::Less
+    let margin = smaller(margin, radius.clone());
+    judgement.decide(DecisionKind::ContactWithin, &margin, margin.clone()) != Ordering::Less
 }
 
 /// [TRC-SIDE-02] the one nearer to P; of two equally near ones, none.
