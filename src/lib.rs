@@ -11,5 +11,7 @@ pub mod judge;
 pub mod metamorphic;
 pub mod minimise;
 pub mod plot;
+pub mod report;
 pub mod safety;
 pub mod vectors;
+pub mod verify;

@@ -6,6 +6,8 @@ mod exact;
 mod hand;
 #[path = "safety/peer.rs"]
 mod peer;
+#[path = "safety/samples.rs"]
+mod samples;
 #[path = "safety/shapes.rs"]
 mod shapes;
 #[path = "safety/speed.rs"]

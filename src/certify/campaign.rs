@@ -11,6 +11,7 @@ use rug::Rational;
 
 use super::failure::Failure;
 use super::tally::Tally;
+use crate::boundary::{self, Triple};
 use crate::device::Device;
 use crate::generate::{self, Reach};
 use crate::judge::{Budget, Judged, judge};
@@ -71,6 +72,8 @@ const MOST_FAILURES: usize = 200;
 const MOST_GROUPS: usize = 8;
 /// One program in so many is also moved, mirrored, scaled, rotated and split; each costs about fifteen answers.
 const MOVED_ONE_IN: u64 = 32;
+/// One triple of every decision for so many generated programs.
+const TRIPLE_ONE_IN: u64 = 400;
 /// How many programs a thread takes at a time.
 const CHUNK: u64 = 60;
 
@@ -79,6 +82,7 @@ pub fn certify<D: Device>(campaign: &Campaign, make: impl Fn() -> D + Sync, prog
     let mut outcome = Outcome::default();
     let mut groups = BTreeMap::new();
     judge_vectors(campaign, &mut make(), &mut outcome, &mut groups);
+    judge_boundaries(campaign, &mut make(), &mut outcome, &mut groups);
     let next = AtomicU64::new(0);
     // A thread that panics has lost programs: that is a fault of the toolkit, and ends the run.
     let mut parts: Vec<Part> = thread::scope(|scope| {
@@ -161,6 +165,26 @@ fn judge_vectors(
         outcome.tally.add(&blocks, &judged);
         if judged.verdict.is_red() {
             note(Failure { name: vector.name.clone(), verdict: judged.verdict, blocks }, outcome, groups);
+        }
+    }
+}
+
+/// Programs exactly on each decision, and one least increment to either side.
+fn judge_boundaries(
+    campaign: &Campaign,
+    device: &mut impl Device,
+    outcome: &mut Outcome,
+    groups: &mut BTreeMap<String, (u64, Failure)>,
+) {
+    let count = campaign.programs / TRIPLE_ONE_IN;
+    for triple in boundary::all(campaign.seed, count, Reach::of(&campaign.profile)) {
+        for (place, blocks) in Triple::NAMES.iter().zip(triple.programs) {
+            let judged = judge_one(campaign, device, &blocks);
+            outcome.tally.add(&blocks, &judged);
+            if judged.verdict.is_red() {
+                let name = format!("boundary {} {place} ({})", triple.kind.id(), triple.family);
+                note(Failure { name, verdict: judged.verdict, blocks }, outcome, groups);
+            }
         }
     }
 }

@@ -97,7 +97,7 @@ impl Certify {
         };
         writeln!(
             out,
-            "seed {}, {} generated programs; {grade}; δ = {} mm",
+            "seed {}, {} generated programs, vectors and boundary triples; {grade}; δ = {} mm",
             campaign.seed, campaign.programs, campaign.budget.delta
         )?;
         out.flush()?;

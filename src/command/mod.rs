@@ -13,7 +13,9 @@ mod plot;
 mod profiles;
 mod program;
 mod run;
+mod safety;
 mod terminal;
+mod verify_witness;
 
 use std::process::ExitCode;
 
@@ -35,6 +37,7 @@ Examples:
   radcomp explain examples/first.nc --profile seed-mill --tools examples/tools.toml --block 40
   radcomp plot examples/first.nc --profile seed-mill --tools examples/tools.toml -o first.svg
   radcomp certify builtin --profile yasnac-lx --level 1
+  radcomp verify-witness report.json
   radcomp profiles yasnac-lx
   radcomp clause TRC-CORNER-08
 
@@ -46,8 +49,10 @@ enum Command {
     Run(run::Run),
     Explain(explain::Explain),
     Plot(plot::Plot),
+    Safety(safety::Safety),
     Profiles(profiles::Profiles),
     Certify(certify::Certify),
+    VerifyWitness(verify_witness::VerifyWitness),
     Clause(clause::Clauses),
     Completions(completions::Completions),
 }
@@ -58,8 +63,10 @@ pub fn main() -> ExitCode {
         Command::Run(command) => command.execute(),
         Command::Explain(command) => command.execute(),
         Command::Plot(command) => command.execute(),
+        Command::Safety(command) => command.execute(),
         Command::Profiles(command) => command.execute(),
         Command::Certify(command) => command.execute(),
+        Command::VerifyWitness(command) => command.execute(),
         Command::Clause(command) => command.execute(),
         Command::Completions(command) => command.execute(),
     };

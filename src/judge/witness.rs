@@ -41,6 +41,8 @@ impl Witness {
 
 /// How often a witness is improved before the search is given up.
 const MOST_ROUNDS: usize = 6;
+/// A point that is farther off than so many bands is not looked for: nothing but a wedge a kilometre long moves so far.
+const FARTHEST: f64 = 1e9;
 /// How many numbers are tried in a round.
 const MOST_CANDIDATES: usize = 16;
 
@@ -116,12 +118,16 @@ pub(crate) fn for_points(
     beta: f64,
     delta: f64,
 ) -> Option<Witness> {
+    let reach = beta * FARTHEST;
     let beta = Rational::from_f64(beta)?;
     let mut best = blocks.to_vec();
     let mut outcome = exact.clone();
     for _ in 0..MOST_ROUNDS {
         let divergence = compare::divergence(&outcome, answer, delta)?;
-        let Difference::End(_) = divergence.difference else { return None };
+        let Difference::End(off) = divergence.difference else { return None };
+        if off > reach {
+            return None;
+        }
         let (expected, observed) = (divergence.expected?, divergence.observed?);
         let wanted = [observed.to[0] - expected.to[0], observed.to[1] - expected.to[1]];
         let mut candidates = Vec::new();

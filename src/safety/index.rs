@@ -1,6 +1,6 @@
 //! The spatial index: which boxes lie near a box.
 
-use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
+use static_aabb2d_index::{Control, StaticAABB2DIndex, StaticAABB2DIndexBuilder};
 
 /// Boxes by their place in a list.
 pub(crate) struct Index(Option<StaticAABB2DIndex<f64>>);
@@ -14,6 +14,19 @@ impl Index {
         }
         // Building fails only when fewer boxes were added than announced; without boxes there is nothing to find.
         Index(builder.build().ok())
+    }
+
+    /// The box nearest to a point, to within rounding.
+    pub(crate) fn nearest(&self, [x, y]: [f64; 2]) -> Option<usize> {
+        let mut found = None;
+        let mut stop_at_first = |item: usize, _: f64| {
+            found = Some(item);
+            Control::Break(())
+        };
+        if let Some(index) = &self.0 {
+            let _: Control<()> = index.visit_neighbors(x, y, &mut stop_at_first);
+        }
+        found
     }
 
     /// The boxes that come nearer to a box than a distance, perhaps some more.

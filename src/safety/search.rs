@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::contour::Wall;
-use super::distance::{box_gap, farthest, gap, nearest_on, point_to_piece};
+use super::distance::{farthest, gap, nearest_on, point_to_piece};
 use super::index::Index;
 use super::interval::{Interval, Spot, middle, spot};
 use super::path::Move;
@@ -21,13 +21,20 @@ const CUTS_OF_A_MOVE: usize = 1_000;
 /// The same in a row where the bounds have a closed form and hardly get better.
 const VAIN_CUTS: u8 = 4;
 
+/// More walls than this near to a long piece of path make it worth cutting before they are looked at.
+const MANY: usize = 64;
+
+/// How often it is cut for that reason.
+const FIRST_CUTS: u8 = 24;
+
 /// How well the greatest depth is found, as a part of it, where it has no closed form: behind the contour.
 const PRECISION: f64 = 1e-7;
 
 /// The walls of a stretch, findable.
 pub(crate) struct Walls {
     walls: Vec<Wall>,
-    extents: Vec<[[f64; 2]; 2]>,
+    /// A disc around each wall.
+    discs: Vec<([f64; 2], f64)>,
     index: Index,
 }
 
@@ -58,18 +65,34 @@ impl Walls {
     pub(crate) fn new(walls: Vec<Wall>) -> Self {
         let extents: Vec<_> = walls.iter().map(|wall| wall.piece.extent()).collect();
         let index = Index::new(extents.iter().copied());
-        Walls { walls, extents, index }
+        Walls { walls, discs: extents.iter().map(disc).collect(), index }
     }
 
-    /// The walls that may be nearest to some point of a piece.
-    fn candidates(&self, step: &Move) -> Vec<usize> {
-        // The walls of the same block and those around it give a first upper bound of the distance.
-        let place = self.walls.partition_point(|wall| wall.block < step.block);
-        let around = place.saturating_sub(2)..(place + 6).min(self.walls.len());
-        let hull = step.piece.hull();
-        let bound = self.walls[around].iter().map(|wall| farthest(&step.piece, &hull, &wall.piece));
-        let bound = bound.fold(f64::INFINITY, f64::min);
-        self.index.near(step.piece.extent(), bound)
+    /// A lower bound of the distance of a wall from a disc.
+    fn apart(&self, wall: usize, (centre, radius): &([f64; 2], f64)) -> f64 {
+        let (other, reach) = &self.discs[wall];
+        let apart = (other[0] - centre[0]).hypot(other[1] - centre[1]);
+        // All of these numbers round by less than this.
+        let scale = apart + radius + reach + centre.iter().chain(other).map(|x| x.abs()).sum::<f64>();
+        apart - radius - reach - 16.0 * f64::EPSILON * scale
+    }
+
+    /// Parts of a piece, each with the walls that may be nearest to some point of it, and not many of them if possible.
+    fn candidates(&self, piece: Piece, block: usize, cuts: u8, found: &mut Vec<(Piece, Vec<usize>)>) {
+        // The walls of the same block and those around it, and one near the middle, give an upper bound of the distance.
+        let place = self.walls.partition_point(|wall| wall.block < block);
+        let around = place.saturating_sub(2)..(place + 3).min(self.walls.len());
+        let hull = piece.hull();
+        let bound = around.chain(self.index.nearest(piece.centre_point()));
+        let bound = bound.map(|wall| farthest(&piece, &hull, &self.walls[wall].piece)).fold(f64::INFINITY, f64::min);
+        let near = self.index.near(piece.extent(), bound);
+        if near.len() > MANY && cuts > 0 && piece.chord() > bound / 8.0 {
+            for half in piece.halves() {
+                self.candidates(half, block, cuts - 1, found);
+            }
+        } else {
+            found.push((piece, near));
+        }
     }
 }
 
@@ -80,11 +103,13 @@ impl Search {
 
     /// Looks at one move.
     pub(crate) fn look(&mut self, step: &Move, walls: &Walls, radius: Interval) {
-        let first = self.bounded(step.piece, step.block, &walls.candidates(step), walls, radius);
+        let mut parts = Vec::new();
+        walls.candidates(step.piece, step.block, FIRST_CUTS, &mut parts);
+        let first = parts.iter().map(|(piece, near)| self.bounded(*piece, step.block, near, walls, radius));
+        let mut open = first.collect::<BinaryHeap<_>>();
         let tiny = 1e-12 * (radius.high + self.budget);
         let mut cuts = CUTS_OF_A_MOVE.min(self.cuts_left);
         // The piece that may hold the greatest depth comes first.
-        let mut open = BinaryHeap::from([first]);
         while let Some(Bounded { piece, near, gouge, free, vain }) = open.pop() {
             let settled = gouge.depth.1 <= self.settled();
             if settled || cuts == 0 || vain == VAIN_CUTS || piece.chord() < tiny {
@@ -155,23 +180,27 @@ impl Eq for Bounded {}
 
 /// Bounds of the greatest depth on a piece of path.
 fn bounded(piece: Piece, block: usize, near: &[usize], walls: &Walls, radius: Interval) -> Bounded {
-    let mut near = near.to_vec();
     let hull = piece.hull();
-    let extent = piece.extent();
-    // No point is farther from the contour than this.
-    let reach = near.iter().map(|wall| farthest(&piece, &hull, &walls.walls[*wall].piece)).fold(f64::INFINITY, f64::min);
+    let disc = disc(&piece.extent());
+    // Walls whose discs are near give an upper bound of the distance; those beyond it do not matter.
+    let mut reach = f64::INFINITY;
+    let mut order: Vec<(f64, usize)> = near.iter().map(|wall| (walls.apart(*wall, &disc), *wall)).collect();
+    order.sort_unstable_by(|x, y| x.0.total_cmp(&y.0));
     let mut nearest = f64::INFINITY;
     let mut at = middle(&piece.a);
-    near.retain(|wall| {
-        if box_gap(&extent, &walls.extents[*wall]) > reach {
-            return false;
+    let mut gaps = Vec::new();
+    for (apart, wall) in order {
+        if apart > reach {
+            break;
         }
-        let gap = gap(&piece, &walls.walls[*wall].piece);
+        reach = reach.min(farthest(&piece, &hull, &walls.walls[wall].piece));
+        let gap = gap(&piece, &walls.walls[wall].piece);
         if gap.low < nearest {
             (nearest, at) = (gap.low, gap.at);
         }
-        gap.low <= reach
-    });
+        gaps.push((gap.low, wall));
+    }
+    let near: Vec<usize> = gaps.into_iter().filter(|(gap, _)| *gap <= reach).map(|(_, wall)| wall).collect();
     let stands = near.iter().fold(Standing::Elsewhere, |stands, wall| {
         if stands == Standing::Mixed { stands } else { stands.and(standing(&piece, &hull, &walls.walls[*wall])) }
     });
@@ -182,6 +211,12 @@ fn bounded(piece: Piece, block: usize, near: &[usize], walls: &Walls, radius: In
     let Some(gouge) = gouges.max_by(|x, y| x.depth.0.total_cmp(&y.depth.0)) else { unreachable!() };
     let gouge = Gouge { depth: (gouge.depth.0, high.max(gouge.depth.0)), path_block: block, ..gouge };
     Bounded { piece, near, gouge, free, vain: 0 }
+}
+
+/// The disc around a box: centre and radius.
+fn disc([low, high]: &[[f64; 2]; 2]) -> ([f64; 2], f64) {
+    let half = [0, 1].map(|axis| 0.5 * (high[axis] - low[axis]));
+    ([low[0] + half[0], low[1] + half[1]], half[0].hypot(half[1]))
 }
 
 /// A proved lower bound of the depth where the tool's centre stands at a point of a piece, or as near as rounding lets.

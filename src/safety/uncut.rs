@@ -21,14 +21,18 @@ pub(crate) fn longest(stretch: &Stretch, path: &[(usize, Curve)], budget: f64) -
         let curve = &element.curve;
         let shortest = longest.map_or(SHORTEST.max(budget), |uncut| uncut.length) / curve.length();
         let mut left = vec![[0.0, 1.0]];
-        let mut near = of_path.near(extent(curve), reach);
-        // The moves of the element's own block cover most of it.
-        near.sort_by_key(|each| path[*each].0.abs_diff(element.block));
-        for each in &near {
-            if !is_longer(&left, shortest) {
-                break;
+        let mut take_out = |moves: &mut dyn Iterator<Item = usize>| {
+            for each in moves {
+                if is_longer(&left, shortest) {
+                    remove(&mut left, &curve.within(&path[each].1, reach));
+                }
             }
-            remove(&mut left, &curve.within(&path[*each].1, reach));
+            is_longer(&left, shortest)
+        };
+        // The moves of the element's own block and the next ones mostly reach all of it.
+        let place = path.partition_point(|(block, _)| *block < element.block);
+        if take_out(&mut (place.saturating_sub(1)..(place + 3).min(path.len()))) {
+            take_out(&mut of_path.near(extent(curve), reach).into_iter());
         }
         if !is_longer(&left, shortest) {
             continue;

@@ -10,12 +10,12 @@ use super::{blocks, mill, model_path};
 
 /// Length of the path in offset mode.
 fn length(path: &[Step<f64>], from: usize, to: usize) -> f64 {
-    let mut at = [0.0, 0.0];
+    let mut at = [0.0_f64; 2];
     let mut sum = 0.0;
     for step in path {
         let (end, length) = match step.segment {
             Segment::Hold => continue,
-            Segment::Line { end } => (end, (end[0] - at[0] as f64).hypot(end[1] - at[1])),
+            Segment::Line { end } => (end, (end[0] - at[0]).hypot(end[1] - at[1])),
             Segment::Arc { end, centre, direction, full } => {
                 let angle = |p: [f64; 2]| (p[1] - centre[1]).atan2(p[0] - centre[0]);
                 let turn = angle(end) - angle(at);
@@ -32,7 +32,7 @@ fn length(path: &[Step<f64>], from: usize, to: usize) -> f64 {
     sum
 }
 
-fn polyline(shape: &Shape) -> Polyline<f64> {
+pub fn polyline(shape: &Shape) -> Polyline<f64> {
     let mut polyline = Polyline::new_closed();
     for [x, y, bulge] in shape.bulges() {
         polyline.add(x, y, bulge);

@@ -38,7 +38,7 @@ fn a_hundred_thousand_blocks() {
         let thin: Vec<_> = blocks
             .iter()
             .map(|block| Block {
-                radius: block.radius.as_ref().map(|radius| Rational::from(radius - Rational::from((1, 100)))),
+                radius: block.radius.as_ref().map(|radius| radius - Rational::from((1, 100))),
                 ..block.clone()
             })
             .collect();

@@ -1,0 +1,117 @@
+//! Programs: their blocks.
+
+use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, OuterCorner};
+use rug::Rational;
+use serde::{Deserialize, Serialize};
+
+use super::number::Exact;
+use super::word::Id;
+
+/// One block of a program, exactly.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BlockRecord {
+    /// What the block moves in the plane.
+    pub movement: MovementRecord,
+    /// At rapid traverse; left out if not.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub rapid: bool,
+    /// The compensation code, if there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub compensation: Option<Id<Compensation>>,
+    /// The tool radius that the block puts in force, if it does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub radius: Option<Exact>,
+    /// The outer corner that the block puts in force, if it does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub corner: Option<Id<OuterCorner>>,
+}
+
+/// The movement of a block.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum MovementRecord {
+    /// No movement in the plane.
+    None,
+    /// A straight move.
+    Line {
+        /// End point.
+        end: [Exact; 2],
+    },
+    /// A circular move.
+    Arc {
+        /// End point.
+        end: [Exact; 2],
+        /// How the centre was programmed.
+        centre: CentreRecord,
+        /// Sense.
+        direction: Id<Direction>,
+    },
+    /// A dummy block.
+    Dummy {
+        /// Its vector.
+        vector: [Exact; 2],
+    },
+}
+
+/// How the centre of an arc was programmed.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum CentreRecord {
+    /// The vector from the start point to the centre.
+    FromStart([Exact; 2]),
+    /// The radius, negative for the longer arc.
+    Radius(Exact),
+}
+
+impl From<&Block<Rational>> for BlockRecord {
+    fn from(block: &Block<Rational>) -> Self {
+        let Block { movement, rapid, compensation, radius, corner } = block;
+        let point = |[a, b]: &[Rational; 2]| [Exact(a.clone()), Exact(b.clone())];
+        BlockRecord {
+            movement: match movement {
+                Movement::None => MovementRecord::None,
+                Movement::Line { end } => MovementRecord::Line { end: point(end) },
+                Movement::Dummy { vector } => MovementRecord::Dummy { vector: point(vector) },
+                Movement::Arc { end, centre, direction } => MovementRecord::Arc {
+                    end: point(end),
+                    centre: match centre {
+                        Centre::FromStart(vector) => CentreRecord::FromStart(point(vector)),
+                        Centre::Radius(radius) => CentreRecord::Radius(Exact(radius.clone())),
+                    },
+                    direction: Id(*direction),
+                },
+            },
+            rapid: *rapid,
+            compensation: compensation.map(Id),
+            radius: radius.clone().map(Exact),
+            corner: corner.map(Id),
+        }
+    }
+}
+
+impl From<&BlockRecord> for Block<Rational> {
+    fn from(record: &BlockRecord) -> Self {
+        let BlockRecord { movement, rapid, compensation, radius, corner } = record;
+        let point = |[a, b]: &[Exact; 2]| [a.0.clone(), b.0.clone()];
+        Block {
+            movement: match movement {
+                MovementRecord::None => Movement::None,
+                MovementRecord::Line { end } => Movement::Line { end: point(end) },
+                MovementRecord::Dummy { vector } => Movement::Dummy { vector: point(vector) },
+                MovementRecord::Arc { end, centre, direction } => Movement::Arc {
+                    end: point(end),
+                    centre: match centre {
+                        CentreRecord::FromStart(vector) => Centre::FromStart(point(vector)),
+                        CentreRecord::Radius(radius) => Centre::Radius(radius.0.clone()),
+                    },
+                    direction: direction.0,
+                },
+            },
+            rapid: *rapid,
+            compensation: compensation.map(|id| id.0),
+            radius: radius.as_ref().map(|radius| radius.0.clone()),
+            corner: corner.map(|id| id.0),
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! The counts of a campaign.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::certify::Tally;
+
+/// What a campaign has counted.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TallyRecord {
+    /// Programs judged.
+    pub programs: u64,
+    /// Blocks read by the model.
+    pub blocks: u64,
+    /// Junctions of two compensated elements.
+    pub corners: u64,
+    /// Programs by verdict.
+    pub verdicts: BTreeMap<String, u64>,
+    /// Counts by clause.
+    pub clauses: BTreeMap<String, ClauseTallyRecord>,
+    /// Decisions by kind: negative, zero, positive margins.
+    pub decisions: BTreeMap<String, [u64; 3]>,
+}
+
+/// Counts for one clause.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ClauseTallyRecord {
+    /// Programs whose exact outcome uses the clause.
+    pub programs: u64,
+    /// Path elements that it made.
+    pub elements: u64,
+    /// Alarms that it raised.
+    pub alarms: u64,
+    /// Decisions taken by its sentence.
+    pub decisions: u64,
+    /// Programs judged exact or admissible.
+    pub passed: u64,
+    /// Programs whose first divergence lies at this clause.
+    pub failed: u64,
+}
+
+impl From<&Tally> for TallyRecord {
+    fn from(tally: &Tally) -> Self {
+        TallyRecord {
+            programs: tally.programs,
+            blocks: tally.blocks,
+            corners: tally.corners,
+            verdicts: tally.verdicts.iter().map(|(id, count)| ((*id).to_owned(), *count)).collect(),
+            clauses: tally
+                .clauses
+                .iter()
+                .map(|(id, part)| {
+                    let record = ClauseTallyRecord {
+                        programs: part.programs,
+                        elements: part.elements,
+                        alarms: part.alarms,
+                        decisions: part.decisions,
+                        passed: part.passed,
+                        failed: part.failed,
+                    };
+                    ((*id).to_owned(), record)
+                })
+                .collect(),
+            decisions: tally.decisions.iter().map(|(id, counts)| ((*id).to_owned(), *counts)).collect(),
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! What a report says of itself: its counts and its budgets.
+
+use std::collections::BTreeMap;
+
+use radcomp_model::number::nearest_f64;
+use radcomp_spec::Block;
+use rug::Rational;
+
+use super::witness;
+use crate::report::{GradeRecord, Report};
+
+/// The verdicts under which a device has not failed.
+const GREEN: [&str; 3] = ["exact", "admissible", "admissible-without-witness"];
+
+/// The band that the report's grade gives a program.
+pub(super) fn band(report: &Report, program: &[Block<Rational>]) -> f64 {
+    match report.grade {
+        GradeRecord::Binary64 => nearest_f64(&witness::largest(program)) / (1_u64 << 40) as f64,
+        GradeRecord::Resolution => report.least_increment_mm.0 / 2.0,
+    }
+}
+
+/// The counts that do not agree with each other or with the cases.
+pub(super) fn contradictions(report: &Report) -> Vec<String> {
+    let mut found = Vec::new();
+    let verdicts = &report.tally.verdicts;
+    let sum = |counts: &mut dyn Iterator<Item = &u64>| counts.fold(0_u64, |sum, count| sum.saturating_add(*count));
+    let judged = sum(&mut verdicts.values());
+    if judged != report.tally.programs {
+        found.push(format!("{} programs were judged, but there are {judged} verdicts", report.tally.programs));
+    }
+    let red = sum(&mut verdicts.iter().filter(|(id, _)| !GREEN.contains(&id.as_str())).map(|(_, count)| count));
+    if red != report.red {
+        found.push(format!("{} programs are said to have failed, but {red} verdicts are red", report.red));
+    }
+    let not_exact = sum(&mut verdicts.iter().filter(|(id, _)| *id != "exact").map(|(_, count)| count));
+    let given = report.cases.iter().filter(|case| case.verdict != "exact").count();
+    let cases = report.cases_left_out.saturating_add(given as u64);
+    if not_exact != cases {
+        found.push(format!("{not_exact} answers were not exact, but {cases} cases are given or left out"));
+    }
+    let mut given = BTreeMap::new();
+    for case in &report.cases {
+        *given.entry(case.verdict.as_str()).or_insert(0_u64) += 1;
+    }
+    for (id, count) in given {
+        let counted = verdicts.get(id).copied().unwrap_or_default();
+        if count > counted {
+            found.push(format!("{count} cases are {id}, but {counted} were counted"));
+        }
+    }
+    found
+}
