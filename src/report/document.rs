@@ -14,6 +14,7 @@ use super::parameters::ParametersRecord;
 use super::tally::TallyRecord;
 use crate::certify::Tally;
 use crate::judge::{Budget, Grade};
+use crate::metamorphic::Broken;
 
 /// The number of this format; it changes when a reader of the old one would misread the new one.
 pub const FORMAT: u64 = 1;
@@ -48,12 +49,14 @@ pub struct Report {
     pub grade: GradeRecord,
     /// How far a point may lie from where its branch puts it.
     pub delta_mm: Binary,
-    /// Programs that the device failed.
+    /// Programs that the device failed, and relations that it broke.
     pub red: u64,
     /// The counts.
     pub tally: TallyRecord,
     /// Failures of one cause, with the smallest program of each.
     pub causes: Vec<Cause>,
+    /// Relations between a program and its images that the device broke.
+    pub broken: Vec<BrokenRecord>,
     /// Programs whose answer was not exact, in the order in which they were judged.
     pub cases: Vec<Case>,
     /// How many more there were.
@@ -86,6 +89,29 @@ pub struct Cause {
     pub tools: Option<String>,
 }
 
+/// A relation between a program and its image that the device broke. For people, as causes are.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BrokenRecord {
+    /// The program's name.
+    pub name: String,
+    /// The relation.
+    pub relation: String,
+    /// What differs, in words.
+    pub difference: String,
+}
+
+impl BrokenRecord {
+    /// The record of a relation that the generated program with this number breaks.
+    pub fn new(number: u64, broken: &Broken) -> BrokenRecord {
+        BrokenRecord {
+            name: format!("#{number}"),
+            relation: broken.relation.to_owned(),
+            difference: broken.difference.clone(),
+        }
+    }
+}
+
 /// What was certified, and how.
 #[derive(Clone, Copy, Debug)]
 pub struct Head<'a> {
@@ -103,7 +129,7 @@ pub struct Head<'a> {
 
 impl Report {
     /// The report of a campaign.
-    pub fn new(head: Head<'_>, tally: &Tally, causes: Vec<Cause>, cases: Cases) -> Report {
+    pub fn new(head: Head<'_>, tally: &Tally, causes: Vec<Cause>, broken: Vec<BrokenRecord>, cases: Cases) -> Report {
         let (cases, cases_left_out) = cases.into_parts();
         Report {
             format: FORMAT,
@@ -122,6 +148,7 @@ impl Report {
             red: tally.red(),
             tally: TallyRecord::from(tally),
             causes,
+            broken,
             cases,
             cases_left_out,
         }

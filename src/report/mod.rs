@@ -24,7 +24,7 @@ mod word;
 pub use answer::{AlarmRecord, AnswerRecord, SegmentRecord, StepRecord};
 pub use block::{BlockRecord, CentreRecord, MovementRecord};
 pub use case::{Case, Cases, DivergenceRecord, FlipRecord, MOST_CASES, MOST_RED_CASES, case};
-pub use document::{Cause, FORMAT, GradeRecord, Head, MOST_BYTES, Report, SCHEMA};
+pub use document::{BrokenRecord, Cause, FORMAT, GradeRecord, Head, MOST_BYTES, Report, SCHEMA};
 pub use error::ReportError;
 pub use number::{Binary, Exact, MOST_DIGITS};
 pub use parameters::ParametersRecord;

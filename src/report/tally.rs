@@ -20,6 +20,10 @@ pub struct TallyRecord {
     pub verdicts: BTreeMap<String, u64>,
     /// Counts by clause.
     pub clauses: BTreeMap<String, ClauseTallyRecord>,
+    /// Programs that were checked against their images as well.
+    pub moved: u64,
+    /// Relations between a program and its images that the device broke.
+    pub broken: u64,
     /// Decisions by kind: negative, zero, positive margins.
     pub decisions: BTreeMap<String, [u64; 3]>,
 }
@@ -64,6 +68,8 @@ impl From<&Tally> for TallyRecord {
                     ((*id).to_owned(), record)
                 })
                 .collect(),
+            moved: tally.moved,
+            broken: tally.broken,
             decisions: tally.decisions.iter().map(|(id, counts)| ((*id).to_owned(), *counts)).collect(),
         }
     }

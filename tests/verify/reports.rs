@@ -102,7 +102,7 @@ pub fn report(list: Vec<Case>) -> Report {
     }
     let profile = profile();
     let head = Head { device: "by hand", profile: &profile, seed: 0, generated_programs: 0, budget: &budget() };
-    Report::new(head, &tally, Vec::new(), cases)
+    Report::new(head, &tally, Vec::new(), Vec::new(), cases)
 }
 
 /// The implementation, with something done to its answers.
@@ -132,5 +132,5 @@ pub fn judged(device: &mut dyn Device, budget: &Budget, programs: u64) -> Report
         case.into_iter().for_each(|case| cases.add(case));
     }
     let head = Head { device: device.name(), profile: &profile, seed: 7, generated_programs: programs, budget };
-    Report::new(head, &tally, Vec::new(), cases)
+    Report::new(head, &tally, Vec::new(), Vec::new(), cases)
 }
