@@ -17,6 +17,7 @@ use crate::generate::{self, Reach};
 use crate::judge::{Budget, Judged, judge};
 use crate::metamorphic::{self, Broken};
 use crate::minimise::minimise;
+use crate::report::{self, Cases};
 use crate::vectors;
 
 /// How much is judged.
@@ -62,6 +63,8 @@ pub struct Outcome {
     pub failures: Vec<Failure>,
     /// Relations between moved programs that the device broke, with the number of the program; at most 200.
     pub broken: Vec<(u64, Broken)>,
+    /// Programs whose answer was not exact, for the report.
+    pub cases: Cases,
     /// Failures of one cause: the group's name, how many, and the smallest program found.
     pub groups: Vec<(String, u64, Failure)>,
 }
@@ -105,6 +108,7 @@ pub fn certify<D: Device>(campaign: &Campaign, make: impl Fn() -> D + Sync, prog
     parts.sort_by_key(|part| part.from);
     for part in parts {
         outcome.tally.merge(part.tally);
+        outcome.cases.merge(part.cases);
         let room = MOST_FAILURES - outcome.broken.len();
         outcome.broken.extend(part.broken.into_iter().take(room));
         for failure in part.failures {
@@ -121,15 +125,18 @@ struct Part {
     tally: Tally,
     failures: Vec<Failure>,
     broken: Vec<(u64, Broken)>,
+    cases: Cases,
 }
 
 fn judge_chunk(campaign: &Campaign, device: &mut impl Device, from: u64, to: u64) -> Part {
-    let mut part = Part { from, tally: Tally::default(), failures: Vec::new(), broken: Vec::new() };
+    let (tally, cases) = (Tally::default(), Cases::default());
+    let mut part = Part { from, tally, failures: Vec::new(), broken: Vec::new(), cases };
     let reach = Reach::of(&campaign.profile);
     for number in from..to {
         let blocks = generate::program(campaign.seed, number, reach);
         let judged = judge_one(campaign, device, &blocks);
         part.tally.add(&blocks, &judged);
+        part.cases.extend(case_of(campaign, &format!("#{number}"), &blocks, &judged));
         if judged.verdict.is_red() {
             part.failures.push(Failure { name: format!("#{number}"), verdict: judged.verdict, blocks });
         } else if number % MOVED_ONE_IN == 0 {
@@ -144,6 +151,10 @@ fn judge_chunk(campaign: &Campaign, device: &mut impl Device, from: u64, to: u64
 
 fn judge_one(campaign: &Campaign, device: &mut impl Device, blocks: &[Block<Rational>]) -> Judged {
     judge(device, &campaign.profile.parameters, blocks, &campaign.budget)
+}
+
+fn case_of(campaign: &Campaign, name: &str, blocks: &[Block<Rational>], judged: &Judged) -> Option<report::Case> {
+    report::case(name, blocks, judged, &campaign.budget, campaign.budget.beta(blocks))
 }
 
 /// The vectors that were written for this profile without changing its parameters.
@@ -163,6 +174,7 @@ fn judge_vectors(
         let blocks: Vec<_> = program.blocks.into_iter().map(|read| read.block).collect();
         let judged = judge_one(campaign, device, &blocks);
         outcome.tally.add(&blocks, &judged);
+        outcome.cases.extend(case_of(campaign, &vector.name, &blocks, &judged));
         if judged.verdict.is_red() {
             note(Failure { name: vector.name.clone(), verdict: judged.verdict, blocks }, outcome, groups);
         }
@@ -181,8 +193,9 @@ fn judge_boundaries(
         for (place, blocks) in Triple::NAMES.iter().zip(triple.programs) {
             let judged = judge_one(campaign, device, &blocks);
             outcome.tally.add(&blocks, &judged);
+            let name = format!("boundary {} {place} ({})", triple.kind.id(), triple.family);
+            outcome.cases.extend(case_of(campaign, &name, &blocks, &judged));
             if judged.verdict.is_red() {
-                let name = format!("boundary {} {place} ({})", triple.kind.id(), triple.family);
                 note(Failure { name, verdict: judged.verdict, blocks }, outcome, groups);
             }
         }

@@ -1,7 +1,7 @@
 //! `radcomp certify`.
 
 use std::fs;
-use std::io::{IsTerminal, Write};
+use std::io::{BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::thread;
 
@@ -11,6 +11,7 @@ use radcomp::certify::{Campaign, Failure as Failed, Level, Outcome, certify};
 use radcomp::device::Builtin;
 use radcomp::explain::first_sentence;
 use radcomp::judge::{Budget, Grade, Verdict as Judgement};
+use radcomp::report::{BrokenRecord, Cause, Head, Report};
 use radcomp_spec::profile::Profile;
 
 use super::failure::{Failure, Verdict};
@@ -107,9 +108,9 @@ impl Certify {
         print(&mut out, &outcome, &campaign.profile)?;
         out.flush()?;
         if let Some(path) = &self.report {
-            let text = serde_json::to_string_pretty(&json(&self.device, &campaign, &outcome))
-                .map_err(|error| Failure::Input(error.to_string()))?;
-            write(path, &text)?;
+            let unwritable = |reason| Failure::Input(format!("{} cannot be written: {reason}", path.display()));
+            let file = fs::File::create(path).map_err(unwritable)?;
+            report(&self.device, &campaign, &outcome).write(BufWriter::new(file)).map_err(unwritable)?;
         }
         if let Some(folder) = &self.counterexamples {
             write_counterexamples(folder, &outcome, &campaign.profile)?;
@@ -243,27 +244,21 @@ fn counterexample(
     Ok(())
 }
 
-fn json(device: &str, campaign: &Campaign, outcome: &Outcome) -> serde_json::Value {
-    let listing = |failure: &Failed| failure.listing(&campaign.profile).ok();
-    serde_json::json!({
-        "radcomp": env!("CARGO_PKG_VERSION"),
-        "device": device,
-        "profile": campaign.profile.name,
-        "seed": campaign.seed,
-        "generated_programs": campaign.programs,
-        "delta_mm": campaign.budget.delta,
-        "grade": match campaign.budget.grade { Grade::Binary64 => "binary64", Grade::Resolution => "resolution" },
-        "red": outcome.tally.red(),
-        "tally": outcome.tally,
-        "failures": outcome.failures.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "causes": outcome.groups.iter().map(|(name, count, smallest)| serde_json::json!({
-            "cause": name,
-            "programs": count,
-            "smallest": smallest.to_string(),
-            "program": listing(smallest).map(|listing| listing.program),
-            "tools": listing(smallest).map(|listing| listing.tool_table),
-        })).collect::<Vec<_>>(),
-    })
+fn report(device: &str, campaign: &Campaign, outcome: &Outcome) -> Report {
+    let causes = outcome.groups.iter().map(|(name, count, smallest)| {
+        let listing = smallest.listing(&campaign.profile).ok();
+        let (program, tools) = listing.map(|listing| (listing.program, listing.tool_table)).unzip();
+        Cause { cause: name.clone(), programs: *count, smallest: smallest.to_string(), program, tools }
+    });
+    let broken = outcome.broken.iter().map(|(number, broken)| BrokenRecord::new(*number, broken));
+    let head = Head {
+        device,
+        profile: &campaign.profile,
+        seed: campaign.seed,
+        generated_programs: campaign.programs,
+        budget: &campaign.budget,
+    };
+    Report::new(head, &outcome.tally, causes.collect(), broken.collect(), outcome.cases.clone())
 }
 
 fn write_counterexamples(folder: &Path, outcome: &Outcome, profile: &Profile) -> Result<(), Failure> {

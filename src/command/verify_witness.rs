@@ -38,7 +38,7 @@ impl VerifyWitness {
             GradeRecord::Binary64 => "binary64",
             GradeRecord::Resolution => "resolution",
         };
-        writeln!(out, "{} on {}, grade {grade}, δ = {} mm", report.device, report.profile, report.delta_mm.0)?;
+        writeln!(out, "{} on {}, grade {grade}, δ = {} mm", report.device, report.profile, report.delta_mm.text())?;
         let mut written = Ok(());
         let summary = verify(&report, |case, finding| {
             if let Finding::NotConfirmed(reason) = finding

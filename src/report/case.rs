@@ -153,12 +153,18 @@ impl Cases {
     /// Adds the cases of a later part.
     pub fn merge(&mut self, later: Cases) {
         self.left_out += later.left_out;
-        later.kept.into_iter().for_each(|case| self.add(case));
+        self.extend(later.kept);
     }
 
     /// The cases kept, and how many were not.
     pub fn into_parts(self) -> (Vec<Case>, u64) {
         (self.kept, self.left_out)
+    }
+}
+
+impl Extend<Case> for Cases {
+    fn extend<I: IntoIterator<Item = Case>>(&mut self, cases: I) {
+        cases.into_iter().for_each(|case| self.add(case));
     }
 }
 

@@ -202,7 +202,7 @@ fn bounded(piece: Piece, block: usize, near: &[usize], walls: &Walls, radius: In
     }
     let near: Vec<usize> = gaps.into_iter().filter(|(gap, _)| *gap <= reach).map(|(_, wall)| wall).collect();
     let stands = near.iter().fold(Standing::Elsewhere, |stands, wall| {
-        if stands == Standing::Mixed { stands } else { stands.and(standing(&piece, &hull, &walls.walls[*wall])) }
+        if stands == Standing::Mixed { stands } else { stands.and(standing(&piece, &hull, &walls.walls[*wall], reach)) }
     });
     let free = matches!(stands, Standing::Free | Standing::Elsewhere);
     let high = if free { radius - Interval::of(nearest) } else { radius + Interval::of(reach) }.high;
@@ -235,7 +235,7 @@ fn depth_at(at: [f64; 2], piece: &Piece, near: &[usize], walls: &Walls, radius: 
     }
     let around = near.iter().zip(&distances).filter(|(_, to_wall)| to_wall.low <= distance.high + 2.0 * off);
     let stands = around.fold(Standing::Elsewhere, |stands, (wall, _)| {
-        stands.and(standing(&point, &Hull::point(q), &walls.walls[*wall]))
+        stands.and(standing(&point, &Hull::point(q), &walls.walls[*wall], distance.high + 2.0 * off))
     });
     let depth = if stands == Standing::Material {
         radius + Interval::of(distance.low) - Interval::of(2.0 * off)

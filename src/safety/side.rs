@@ -32,15 +32,15 @@ impl Standing {
     }
 }
 
-/// Where a piece of path with its hull stands.
-pub(crate) fn standing(path: &Piece, hull: &Hull, wall: &Wall) -> Standing {
+/// Where a piece of path with its hull stands, no point of which is farther from the contour than `reach`.
+pub(crate) fn standing(path: &Piece, hull: &Hull, wall: &Wall, reach: f64) -> Standing {
     let (inner, ends) = match &wall.piece.shape {
         Shape::Line => beside_line(hull, wall),
         Shape::Arc { centre, radius, rays } => {
-            let reach = hull_in_sector(rays, centre, hull);
+            let seen = hull_in_sector(rays, centre, hull);
             let inside = farthest_from_point(path, hull, centre) < radius.low;
             let outside = point_to_piece(centre, path).low > radius.high;
-            let inner = match (reach, wall.front) {
+            let inner = match (seen, wall.front) {
                 (Certainty::No, _) => Standing::Elsewhere,
                 (_, Front::Inside) if inside => Standing::Free,
                 (_, Front::Inside) if outside => Standing::Material,
@@ -48,12 +48,12 @@ pub(crate) fn standing(path: &Piece, hull: &Hull, wall: &Wall) -> Standing {
                 (_, Front::Outside) if inside => Standing::Material,
                 _ => Standing::Mixed,
             };
-            (inner, [reach != Certainty::Yes; 2])
+            (inner, [seen != Certainty::Yes; 2])
         }
     };
     let mut standing = inner;
     for ((joint, end), may_be_nearest) in wall.joints.iter().zip([&wall.piece.a, &wall.piece.b]).zip(ends) {
-        if may_be_nearest {
+        if may_be_nearest && point_to_piece(end, path).low <= reach {
             standing = standing.and(at_corner(joint, end, hull));
         }
     }
@@ -93,9 +93,9 @@ fn beside_line(hull: &Hull, wall: &Wall) -> (Standing, [bool; 2]) {
 /// along the element behind it.
 fn at_corner(joint: &Joint, corner: &Spot, hull: &Hull) -> Standing {
     match joint.corner {
-        Corner::Open | Corner::Outer => return Standing::Free,
+        Corner::Open => return Standing::Free,
         Corner::Smooth => return Standing::Elsewhere,
-        Corner::Inner | Corner::Unknown => {}
+        Corner::Outer | Corner::Inner | Corner::Unknown => {}
     }
     let [u1, u2] = &joint.tangents;
     let (mut before, mut after, mut in_front) = (true, true, true);
@@ -113,7 +113,7 @@ fn at_corner(joint: &Joint, corner: &Spot, hull: &Hull) -> Standing {
         Standing::Elsewhere
     } else if joint.corner == Corner::Inner {
         Standing::Material
-    } else if in_front {
+    } else if in_front || joint.corner == Corner::Outer {
         Standing::Free
     } else {
         Standing::Mixed

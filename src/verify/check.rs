@@ -73,19 +73,19 @@ fn judged(report: &Report, case: &Case, answer: &Answer) -> Result<(), String> {
 fn band(report: &Report, case: &Case, program: &[Block<Rational>]) -> Result<Rational, String> {
     let due = head::band(report, program);
     if case.beta_mm.0 != due {
-        return Err(format!("β is {} mm, but the grade gives {due} mm", case.beta_mm.0));
+        return Err(format!("β is {:?} mm, but the grade gives {due:?} mm", case.beta_mm.0));
     }
-    Rational::from_f64(due).filter(|beta| !beta.is_negative()).ok_or_else(|| format!("β is {due} mm"))
+    Rational::from_f64(due).filter(|beta| !beta.is_negative()).ok_or_else(|| format!("β is {due:?} mm"))
 }
 
 /// The case's δ, which must be the report's.
 fn delta(report: &Report, case: &Case) -> Result<Real, String> {
     let (given, due) = (case.delta_mm.0, report.delta_mm.0);
     if given != due {
-        return Err(format!("δ is {given} mm, but the report's is {due} mm"));
+        return Err(format!("δ is {given:?} mm, but the report's is {due:?} mm"));
     }
     let delta = Rational::from_f64(due).filter(Rational::is_positive);
-    delta.map(Real::rational).ok_or_else(|| format!("δ is {due} mm"))
+    delta.map(Real::rational).ok_or_else(|| format!("δ is {due:?} mm"))
 }
 
 /// What is asked of one answer.
@@ -105,14 +105,14 @@ impl Question<'_> {
         let change = witness::change(self.program, &input)?;
         if change > self.beta {
             let (change, beta) = (nearest_f64(&change), nearest_f64(&self.beta));
-            return Err(format!("a number of the witness is {change} mm from the program's, β is {beta} mm"));
+            return Err(format!("a number of the witness is {change:?} mm from the program's, β is {beta:?} mm"));
         }
         if let Some(said) = self.case.change_mm {
             let said = said.0;
             // A change that is not a number says nothing.
             if said.is_nan() || nearest_f64(&change) > said * CHANGE_ROUNDING {
                 let change = nearest_f64(&change);
-                return Err(format!("the witness is said to change no number by more than {said} mm: {change} mm"));
+                return Err(format!("the witness is said to change no number by more than {said:?} mm: {change:?} mm"));
             }
         }
         self.is_outcome_of(&input, "the witness")

@@ -32,7 +32,10 @@ pub(super) fn contradictions(report: &Report) -> Vec<String> {
     let red = sum(&mut verdicts.iter().filter(|(id, _)| !GREEN.contains(&id.as_str())).map(|(_, count)| count));
     let broken = report.tally.broken;
     if red.saturating_add(broken) != report.red {
-        found.push(format!("{} failures are told, but {red} verdicts are red and {broken} relations broken", report.red));
+        found.push(format!(
+            "{} failures are told, but {red} verdicts are red and {broken} relations broken",
+            report.red
+        ));
     }
     let not_exact = sum(&mut verdicts.iter().filter(|(id, _)| *id != "exact").map(|(_, count)| count));
     let given = report.cases.iter().filter(|case| case.verdict != "exact").count();

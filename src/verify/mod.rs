@@ -20,8 +20,8 @@
 //!
 //! What is not claimed: that an inadmissible answer is E(x′) of no x′ at all, as points may move without any branch
 //! being taken another way; that an outcome on other branches is E(x′) of some x′; anything of a program that the report
-//! does not hold, of clauses that the device names, of divergences, causes and broken relations, which are told for people;
-//! and that the answer is the device's.
+//! does not hold, of the clauses that the device names, of divergences, flips, causes and broken relations, which are
+//! told for people; and that the answer is the device's.
 
 mod branches;
 mod check;

@@ -71,26 +71,20 @@ fn no_sample_is_deeper_than_the_bounds() {
         // Somewhere in the contour's neighbourhood: within the stars' least radius, or anywhere.
         let reach = dice.between(3, 90) as f64;
         let mut anywhere = || [0, 1].map(|_| dice.between(-1000, 1000) as f64 / 1000.0 * reach);
-        let mut path = lines(&[(0, anywhere())]);
+        let mut start = anywhere();
+        let mut path = lines(&[(0, start)]);
         for index in 0..8 {
             let end = anywhere();
             let mut step = lines(&[(1, end)]).remove(0);
             if index % 2 == 1 {
-                let Segment::Line { end: start } = path[index].segment else { unreachable!() };
-                let middle = [0, 1].map(|k| 0.5 * (start[k] + end[k]));
                 let [along, across] = [0, 1].map(|k| end[k] - start[k]);
                 let bow = anywhere()[0] / reach;
+                let middle = [0, 1].map(|k| 0.5 * (start[k] + end[k]));
                 let centre = [middle[0] - bow * across, middle[1] + bow * along];
                 step.segment = Segment::Arc { end, centre, direction: Direction::Clockwise, full: false };
             }
             path.push(step);
-            if index % 2 == 1 {
-                // A line of no length, so that every arc starts where a line ends.
-                path.extend(lines(&[(1, end)]));
-            }
-            if path.len() > 8 {
-                break;
-            }
+            start = end;
         }
         let radius_mm = f64::from(radius) / 1e3;
         let ours = Contour::of(&blocks(&shape.program(if inside { "G41" } else { "G42" }), radius));
