@@ -230,6 +230,7 @@ impl Window {
     #[inline(never)]
     fn wait<G: Geometry>(&mut self, block: usize, event: Event, geometry: &mut G) -> Result<(), Alarm> {
         match &mut self.pending {
+            // [TRC-DUMMY-04]: nothing is pending, so nothing is counted, once a dummy block has settled the junction.
             Some(pending) if pending.held < self.allowed => {
                 pending.rapid |= u8::from(event.rapid).wrapping_shl(u32::from(pending.held));
                 pending.held += 1;
