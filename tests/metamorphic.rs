@@ -73,9 +73,9 @@ fn a_device_with_a_mistake_for_one_sense_of_turning_is_found_by_mirroring() {
 }
 
 #[test]
-fn a_device_that_forgets_the_first_of_two_collinear_lines_is_found_by_splitting() {
+fn a_device_with_a_mistake_at_tangent_junctions_is_found_by_splitting() {
     let mut device = Changed(|answer| {
-        // The corner after a tangent junction is put one hundredth off.
+        // The vector of a tangent junction is put one hundredth off.
         use radcomp_spec::clause;
         let tangent = answer.steps.iter().position(|step| step.clause == clause::TRC_CORNER_02);
         if let Some(end) = tangent.and_then(|at| ends(answer).nth(at)) {
