@@ -84,3 +84,25 @@ fn a_device_with_a_mistake_at_tangent_junctions_is_found_by_splitting() {
     });
     assert!(check(&mut device, 600).iter().any(|broken| broken.relation == "splitting a line"));
 }
+
+#[test]
+fn contours_are_run_backwards() {
+    let profile = Profile::builtin("seed-mill").expect("built in");
+    let reversals = (0..2_000)
+        .filter_map(|number| metamorphic::Reversal::of(&generate::program(3, number, Reach::of(&profile))))
+        .count();
+    assert!(reversals > 100, "{reversals}");
+}
+
+#[test]
+fn a_device_that_ends_arcs_late_is_found_by_running_backwards() {
+    let mut device = Changed(|answer| {
+        for step in &mut answer.steps {
+            if let Segment::Arc { end, .. } = &mut step.segment {
+                end[0] += 0.002;
+            }
+        }
+    });
+    let broken = check(&mut device, 400);
+    assert!(broken.iter().any(|broken| broken.relation == "running backwards"));
+}

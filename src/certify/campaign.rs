@@ -10,6 +10,7 @@ use radcomp_spec::profile::Profile;
 use rug::Rational;
 
 use super::failure::Failure;
+use super::safety::Safety;
 use super::tally::Tally;
 use crate::boundary::{self, Triple};
 use crate::device::Device;
@@ -135,10 +136,10 @@ fn judge_chunk(campaign: &Campaign, device: &mut impl Device, from: u64, to: u64
     for number in from..to {
         let blocks = generate::program(campaign.seed, number, reach);
         let judged = judge_one(campaign, device, &blocks);
-        part.tally.add(&blocks, &judged);
+        part.tally.add(&blocks, &judged, campaign.budget.beta(&blocks));
         part.cases.extend(case_of(campaign, &format!("#{number}"), &blocks, &judged));
         if judged.verdict.is_red() {
-            part.failures.push(Failure { name: format!("#{number}"), verdict: judged.verdict, blocks });
+            part.failures.push(Failure::new(format!("#{number}"), judged.verdict, blocks));
         } else if number % MOVED_ONE_IN == 0 {
             let broken = metamorphic::check(device, &campaign.profile.parameters, &blocks, &campaign.budget);
             part.tally.moved += 1;
@@ -173,10 +174,10 @@ fn judge_vectors(
         let Ok(Ok(program)) = vector.read(&profile) else { continue };
         let blocks: Vec<_> = program.blocks.into_iter().map(|read| read.block).collect();
         let judged = judge_one(campaign, device, &blocks);
-        outcome.tally.add(&blocks, &judged);
+        outcome.tally.add(&blocks, &judged, campaign.budget.beta(&blocks));
         outcome.cases.extend(case_of(campaign, &vector.name, &blocks, &judged));
         if judged.verdict.is_red() {
-            note(Failure { name: vector.name.clone(), verdict: judged.verdict, blocks }, outcome, groups);
+            note(Failure::new(vector.name.clone(), judged.verdict, blocks), outcome, groups);
         }
     }
 }
@@ -192,11 +193,11 @@ fn judge_boundaries(
     for triple in boundary::all(campaign.seed, count, Reach::of(&campaign.profile)) {
         for (place, blocks) in Triple::NAMES.iter().zip(triple.programs) {
             let judged = judge_one(campaign, device, &blocks);
-            outcome.tally.add(&blocks, &judged);
+            outcome.tally.add(&blocks, &judged, campaign.budget.beta(&blocks));
             let name = format!("boundary {} {place} ({})", triple.kind.id(), triple.family);
             outcome.cases.extend(case_of(campaign, &name, &blocks, &judged));
             if judged.verdict.is_red() {
-                note(Failure { name, verdict: judged.verdict, blocks }, outcome, groups);
+                note(Failure::new(name, judged.verdict, blocks), outcome, groups);
             }
         }
     }
@@ -225,12 +226,13 @@ fn smallest(
         // A smaller program counts only if it can be written for the profile and fails in the same way.
         let mut same = |blocks: &[Block<Rational>]| {
             let verdict = judge_one(campaign, device, blocks).verdict;
-            let candidate = Failure { name: String::new(), verdict, blocks: blocks.to_vec() };
+            let candidate = Failure::new(String::new(), verdict, blocks.to_vec());
             candidate.verdict.is_red() && candidate.group() == *name && candidate.listing(&campaign.profile).is_ok()
         };
         let blocks = minimise(&failure.blocks, &mut same);
-        let verdict = judge_one(campaign, device, &blocks).verdict;
-        *failure = Failure { name: failure.name.clone(), verdict, blocks };
+        let judged = judge_one(campaign, device, &blocks);
+        let safety = judged.answer.as_ref().map(|answer| Safety::of(&blocks, &judged.exact, answer, &campaign.budget));
+        *failure = Failure { safety, ..Failure::new(failure.name.clone(), judged.verdict, blocks) };
     }
     groups
 }

@@ -6,6 +6,7 @@ use radcomp_spec::profile::Profile;
 use radcomp_spec::{Alarm, Block};
 use rug::Rational;
 
+use super::safety::Safety;
 use crate::gcode::{Listing, print_blocks};
 use crate::judge::{Difference, Divergence, Verdict};
 
@@ -18,9 +19,16 @@ pub struct Failure {
     pub verdict: Verdict,
     /// Its blocks.
     pub blocks: Vec<Block<Rational>>,
+    /// What the answer does to the part; of the smallest failure of a cause.
+    pub safety: Option<Safety>,
 }
 
 impl Failure {
+    /// A failure whose path has not been judged for safety.
+    pub fn new(name: String, verdict: Verdict, blocks: Vec<Block<Rational>>) -> Failure {
+        Failure { name, verdict, blocks, safety: None }
+    }
+
     /// What failures with one cause have in common: the clause, and the kind of difference.
     pub fn group(&self) -> String {
         match &self.verdict {

@@ -2,8 +2,10 @@
 
 mod campaign;
 mod failure;
+mod safety;
 mod tally;
 
 pub use campaign::{Campaign, Level, Outcome, certify};
 pub use failure::Failure;
+pub use safety::Safety;
 pub use tally::{ClauseTally, Tally};

@@ -11,7 +11,7 @@ use serde::Serialize;
 use crate::judge::{Judged, Verdict};
 
 /// What a campaign has counted. Tallies of parts add up to the tally of the whole, in any order.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Tally {
     /// Programs judged.
     pub programs: u64,
@@ -29,6 +29,8 @@ pub struct Tally {
     pub broken: u64,
     /// Decisions by kind: negative, zero, positive margins.
     pub decisions: BTreeMap<&'static str, [u64; 3]>,
+    /// The greatest share of a program's band β that a witness took.
+    pub greatest_share: f64,
 }
 
 /// Counts for one clause.
@@ -50,10 +52,13 @@ pub struct ClauseTally {
 
 impl Tally {
     /// Counts one judged program.
-    pub fn add(&mut self, blocks: &[Block<Rational>], judged: &Judged) {
+    pub fn add(&mut self, blocks: &[Block<Rational>], judged: &Judged, beta: f64) {
         self.programs += 1;
         self.blocks += blocks.len() as u64;
         *self.verdicts.entry(judged.verdict.id()).or_default() += 1;
+        if let Verdict::Admissible(witness) = &judged.verdict {
+            self.greatest_share = self.greatest_share.max(witness.beta / beta);
+        }
         let used = self.add_run(&judged.exact);
         let red = judged.verdict.is_red();
         for clause in used {
@@ -97,6 +102,7 @@ impl Tally {
         self.corners += other.corners;
         self.moved += other.moved;
         self.broken += other.broken;
+        self.greatest_share = self.greatest_share.max(other.greatest_share);
         for (verdict, count) in other.verdicts {
             *self.verdicts.entry(verdict).or_default() += count;
         }
@@ -120,6 +126,13 @@ impl Tally {
         let green = ["exact", "admissible", "admissible-without-witness"];
         let failed: u64 = self.verdicts.iter().filter(|(id, _)| !green.contains(id)).map(|(_, count)| count).sum();
         failed + self.broken
+    }
+
+    /// The smallest share of the band β under which no verdict would be red: that of the farthest witness. The whole of it
+    /// if some answer has no witness; none if a verdict is red as it is.
+    pub fn needed_share(&self) -> Option<f64> {
+        let bare = self.verdicts.get("admissible-without-witness").is_some_and(|count| *count > 0);
+        (self.red() == 0).then_some(if bare { 1.0 } else { self.greatest_share })
     }
 
     /// Kinds of decisions that were never taken on one of their sides, with the side.

@@ -201,7 +201,7 @@ fn print(out: &mut dyn Write, outcome: &Outcome, profile: &Profile) -> Result<()
     writeln!(out, "{} programs, {} blocks, {} corners", tally.programs, tally.blocks, tally.corners)?;
     writeln!(
         out,
-        "{} programs also moved, mirrored, scaled, rotated and split: {} relations broken",
+        "{} programs also moved, mirrored, scaled, rotated, split and run backwards: {} relations broken",
         tally.moved, tally.broken
     )?;
     for (verdict, count) in &tally.verdicts {
@@ -211,6 +211,9 @@ fn print(out: &mut dyn Write, outcome: &Outcome, profile: &Profile) -> Result<()
             _ => "",
         };
         writeln!(out, "  {verdict}: {count}{note}")?;
+    }
+    if let Some(share) = tally.needed_share() {
+        writeln!(out, "would pass with {share:.3e} of the band β as well, and with no smaller share")?;
     }
     let verdict = if red == 0 { "PASS" } else { "RED" };
     writeln!(out, "{}", terminal::bold(verdict))?;
@@ -230,6 +233,9 @@ fn counterexample(
     if let Judgement::Inadmissible(divergence) | Judgement::ForkLimit(divergence) = &smallest.verdict {
         writeln!(out, "  [{}] {}", divergence.clause, first_sentence(divergence.clause))?;
     }
+    if let Some(safety) = &smallest.safety {
+        writeln!(out, "  safety: {safety}")?;
+    }
     match smallest.listing(profile) {
         Ok(listing) => {
             for line in listing.program.lines() {
@@ -248,7 +254,8 @@ fn report(device: &str, campaign: &Campaign, outcome: &Outcome) -> Report {
     let causes = outcome.groups.iter().map(|(name, count, smallest)| {
         let listing = smallest.listing(&campaign.profile).ok();
         let (program, tools) = listing.map(|listing| (listing.program, listing.tool_table)).unzip();
-        Cause { cause: name.clone(), programs: *count, smallest: smallest.to_string(), program, tools }
+        let safety = smallest.safety.as_ref().map(ToString::to_string);
+        Cause { cause: name.clone(), programs: *count, smallest: smallest.to_string(), safety, program, tools }
     });
     let broken = outcome.broken.iter().map(|(number, broken)| BrokenRecord::new(*number, broken));
     let head = Head {

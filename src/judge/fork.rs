@@ -52,15 +52,16 @@ pub(crate) fn find(
 ) -> Result<Vec<Flip>, Exhausted> {
     // Each script answers the first in-band decisions; the rest are answered exactly.
     let mut scripts = VecDeque::from([Vec::<Ordering>::new()]);
-    let mut limit_hit = false;
+    let (mut limit_hit, mut dead_end) = (false, false);
     let traced = Branch::run(parameters, blocks, Band { beta, traced: true }, &[]).is_some();
     for _ in 0..MOST_FORKS {
-        let Some(script) = scripts.pop_front() else { return Err(Exhausted { limit_hit }) };
+        let Some(script) = scripts.pop_front() else { return Err(Exhausted { limit_hit, dead_end }) };
         let Some(branch) = Branch::run(parameters, blocks, Band { beta, traced }, &script) else {
             limit_hit = true;
             continue;
         };
         let useful = if branch.run.contradiction {
+            dead_end = true;
             usize::MAX
         } else {
             match receive(&branch.run) {
@@ -79,13 +80,16 @@ pub(crate) fn find(
             }
         }
     }
-    Err(Exhausted { limit_hit: limit_hit || !scripts.is_empty() })
+    Err(Exhausted { limit_hit: limit_hit || !scripts.is_empty(), dead_end })
 }
 
 /// No outcome was accepted.
 pub(crate) struct Exhausted {
     /// There were more outcomes than the bound allows.
     pub(crate) limit_hit: bool,
+    /// A branch that an input within the band takes has no outcome at the program itself: two lines that are one have no
+    /// intersection.
+    pub(crate) dead_end: bool,
 }
 
 /// A decision inside the band.

@@ -24,7 +24,8 @@ pub enum Verdict {
     AdmissibleWithoutWitness(Vec<Flip>),
     /// No admitted outcome.
     Inadmissible(Box<Divergence>),
-    /// No admitted outcome among those looked at; there were more than the bound.
+    /// No admitted outcome among those looked at; there were more than the bound, or a branch inside the band has no
+    /// outcome at the program itself and none was found at its neighbours.
     ForkLimit(Box<Divergence>),
     /// No answer.
     Fault(DeviceFault),
@@ -82,8 +83,12 @@ fn measure(
     let beta = budget.beta(blocks);
     let search = Search { parameters, blocks, answer, beta, tolerance: Tolerance::new(budget.delta, beta) };
     let Some(divergence) = search.divergence(exact) else { return Verdict::Exact };
-    if let Some(witness) = search.for_points(exact) {
-        return Verdict::Admissible(witness);
+    // What lies within a part of the band lies within it; where the point follows unevenly, small steps find it.
+    for share in [1.0, 1.0 / 32.0, 1.0 / 1024.0] {
+        let narrower = Search { beta: beta * share, ..search };
+        if let Some(witness) = narrower.for_points(exact) {
+            return Verdict::Admissible(witness);
+        }
     }
     let receive = |run: &Run| match search.divergence(run) {
         None => Reception::Accepted,
@@ -94,7 +99,13 @@ fn measure(
             Some(witness) => Verdict::Admissible(witness),
             None => Verdict::AdmissibleWithoutWitness(flips),
         },
-        Err(exhausted) if exhausted.limit_hit => Verdict::ForkLimit(Box::new(divergence)),
+        Err(exhausted)
+            if exhausted.dead_end
+                && let Some(witness) = search.beside_the_program(&divergence) =>
+        {
+            Verdict::Admissible(witness)
+        }
+        Err(exhausted) if exhausted.limit_hit || exhausted.dead_end => Verdict::ForkLimit(Box::new(divergence)),
         Err(_) => Verdict::Inadmissible(Box::new(divergence)),
     }
 }

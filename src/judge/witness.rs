@@ -31,6 +31,7 @@ pub struct Witness {
 }
 
 /// What a witness is looked for.
+#[derive(Clone, Copy)]
 pub(super) struct Search<'a> {
     pub(super) parameters: &'a Parameters,
     pub(super) blocks: &'a [Block<Rational>],

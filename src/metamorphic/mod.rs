@@ -3,14 +3,17 @@
 //! They need no model of the rules, only the margins that tell where a device may change its mind: a program with a
 //! decision inside the band is passed over, since there the two answers may take different branches. Everywhere else
 //! a translation by decimals, a mirroring with the sides swapped, a scaling by ten, a rotation by a Pythagorean angle,
-//! and the splitting of a straight block leave the branches alone, and points follow to within δ. Passed over as well
+//! the splitting of a straight block, and running the contour backwards on the tool's other side leave the branches
+//! alone, and points follow to within δ. Passed over as well
 //! are programs whose vectors lie more than 100 mm from their corner, and splits that make a half of the line run
 //! backwards.
 
 mod motion;
+mod reversal;
 mod split;
 
 pub use motion::Motion;
+pub use reversal::Reversal;
 pub use split::split;
 
 use radcomp_model::number::Real;
@@ -19,7 +22,7 @@ use radcomp_spec::{AdvisoryKind, Block, DecisionKind, Parameters, Step};
 use rug::Rational;
 
 use crate::device::{Answer, Device, DeviceFault};
-use crate::judge::{Budget, Tolerance, path_difference};
+use crate::judge::{Budget, Tolerance, path_difference, rounded};
 
 /// A relation that a device breaks.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +85,35 @@ pub fn check(
         let difference = compare(device.answer(parameters, &program), &answer, budget.delta, false);
         broken.extend(difference.map(|difference| Broken { relation: "splitting a line", program, difference }));
     }
+    broken.extend(check_reversal(device, parameters, &blocks, budget));
     broken
+}
+
+/// Whether the device runs the first contour backwards as it runs it forwards, where the rules do.
+fn check_reversal(
+    device: &mut dyn Device,
+    parameters: &Parameters,
+    blocks: &[Block<Rational>],
+    budget: &Budget,
+) -> Option<Broken> {
+    let Reversal { forward, backward } = Reversal::of(blocks)?;
+    let exact = [run(parameters, &forward), run(parameters, &backward)];
+    let programs = [&forward, &backward];
+    let in_band = |(run, program): (&Run, &&Vec<_>)| decides_within(run, budget.beta(program) * 16.0);
+    if exact.iter().any(|run| run.alarm.is_some() || is_sensitive(run)) || exact.iter().zip(&programs).any(in_band) {
+        return None;
+    }
+    let tolerance = Tolerance::new(budget.delta, 0.0);
+    let differ =
+        |there: &[Step<f64>], back: &[Step<f64>]| path_difference(&reversal::reversed(there), back, tolerance, false);
+    // Some rules know before and after: look-ahead, the corner that a change of side makes, start-up and cancel of
+    // different types.
+    if differ(&rounded(&exact[0]), &rounded(&exact[1])).is_some() {
+        return None;
+    }
+    let [there, back] = programs.map(|program| device.answer(parameters, program).ok());
+    let difference = differ(&there?.steps, &back?.steps)?;
+    Some(Broken { relation: "running backwards", program: backward, difference })
 }
 
 fn approach() -> Block<Rational> {

@@ -49,6 +49,10 @@ pub struct Report {
     pub grade: GradeRecord,
     /// How far a point may lie from where its branch puts it.
     pub delta_mm: Binary,
+    /// The smallest share of the band under which the device would still pass, as far as the witnesses found tell; none if
+    /// it does not pass.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub needed_share_of_beta: Option<Binary>,
     /// Programs that the device failed, and relations that it broke.
     pub red: u64,
     /// The counts.
@@ -83,6 +87,9 @@ pub struct Cause {
     pub programs: u64,
     /// The smallest failure, in words.
     pub smallest: String,
+    /// What its path does to the part, in words.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub safety: Option<String>,
     /// Its program as G-code, if the profile can write it.
     pub program: Option<String>,
     /// The tool table of that program.
@@ -145,6 +152,7 @@ impl Report {
                 Grade::Resolution => GradeRecord::Resolution,
             },
             delta_mm: Binary(head.budget.delta),
+            needed_share_of_beta: tally.needed_share().map(Binary),
             red: tally.red(),
             tally: TallyRecord::from(tally),
             causes,

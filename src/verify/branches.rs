@@ -24,6 +24,38 @@ pub(super) enum Search {
     TooMany,
 }
 
+/// What is made of an outcome.
+pub(super) enum Reception {
+    /// It is the answer.
+    Accepted,
+    /// It is not, nor is any that begins with so many of its moves.
+    Refused {
+        /// How many.
+        moves: usize,
+    },
+}
+
+/// A decision in the band.
+struct Choice {
+    exact: Ordering,
+    /// How many moves stood before it was taken.
+    moves: usize,
+    /// Where its margin may go.
+    reach: (f64, f64),
+}
+
+impl Choice {
+    /// Whether some input in the band may answer so.
+    fn admits(&self, answer: Ordering) -> bool {
+        let (low, high) = self.reach;
+        match answer {
+            Ordering::Less => low < 0.0,
+            Ordering::Equal => low <= 0.0 && high >= 0.0,
+            Ordering::Greater => high > 0.0,
+        }
+    }
+}
+
 /// Which decisions in the band are answered otherwise than exactly: the first is number 0. Numbers rise.
 type Plan = Vec<(usize, Ordering)>;
 
@@ -32,23 +64,29 @@ pub(super) fn search(
     parameters: &Parameters,
     blocks: &[Block<Rational>],
     beta: f64,
-    mut accept: impl FnMut(&Run) -> bool,
+    mut receive: impl FnMut(&Run) -> Reception,
 ) -> Search {
     let mut plans = VecDeque::from([Plan::new()]);
     for _ in 0..MOST_RUNS {
         let Some(plan) = plans.pop_front() else { return Search::NotFound };
         // Where a sign takes too many bits, this is one combination too many.
-        let Some((run, exact)) = within_bits(MOST_BITS, || follow(parameters, blocks, beta, &plan)) else {
+        let Some((run, choices)) = within_bits(MOST_BITS, || follow(parameters, blocks, beta, &plan)) else {
             return Search::TooMany;
         };
-        if !run.contradiction && accept(&run) {
-            return Search::Found;
-        }
+        let useful = if run.contradiction {
+            usize::MAX
+        } else {
+            match receive(&run) {
+                Reception::Accepted => return Search::Found,
+                Reception::Refused { moves } => moves,
+            }
+        };
         // Each combination is reached once: by its last decision from the plan without it.
         let next = plan.last().map_or(0, |(number, _)| number + 1);
-        for (number, exact) in exact.into_iter().enumerate().skip(next) {
+        let open = choices.into_iter().enumerate().skip(next).filter(|(_, choice)| choice.moves < useful);
+        for (number, choice) in open {
             for other in [Ordering::Less, Ordering::Equal, Ordering::Greater] {
-                if other != exact {
+                if other != choice.exact && choice.admits(other) {
                     let mut longer = plan.clone();
                     longer.push((number, other));
                     plans.push_back(longer);
@@ -59,8 +97,8 @@ pub(super) fn search(
     if plans.is_empty() { Search::NotFound } else { Search::TooMany }
 }
 
-/// The outcome of a plan, and the exact answer of every decision in the band.
-fn follow(parameters: &Parameters, blocks: &[Block<Rational>], beta: f64, plan: &Plan) -> (Run, Vec<Ordering>) {
+/// The outcome of a plan, and the decisions in the band.
+fn follow(parameters: &Parameters, blocks: &[Block<Rational>], beta: f64, plan: &Plan) -> (Run, Vec<Choice>) {
     let mut follower = Follower { beta, plan, seen: Vec::new(), run: Run::default() };
     let mut engine = Engine::on_inputs(parameters);
     for block in blocks {
@@ -81,7 +119,7 @@ fn follow(parameters: &Parameters, blocks: &[Block<Rational>], beta: f64, plan: 
 struct Follower<'a> {
     beta: f64,
     plan: &'a Plan,
-    seen: Vec<Ordering>,
+    seen: Vec<Choice>,
     run: Run,
 }
 
@@ -91,18 +129,15 @@ impl Sink for Follower<'_> {
     }
 
     fn decide(&mut self, decision: Decision) -> Ordering {
-        if !is_in_band(&decision, self.beta) {
+        let reach = decision.margin.reach(self.beta);
+        let choice = Choice { exact: decision.exact, moves: self.run.steps.len(), reach };
+        let others = [Ordering::Less, Ordering::Equal, Ordering::Greater];
+        let open = others.into_iter().any(|other| other != decision.exact && choice.admits(other));
+        if !open || !decision.kind.shapes_the_path() {
             return decision.exact;
         }
         let number = self.seen.len();
-        self.seen.push(decision.exact);
+        self.seen.push(choice);
         self.plan.iter().find(|(planned, _)| *planned == number).map_or(decision.exact, |(_, answer)| *answer)
     }
-}
-
-/// Whether a decision that shapes the path may have another answer where every number of the program may move by β.
-fn is_in_band(decision: &Decision, beta: f64) -> bool {
-    let (low, high) = decision.margin.reach(beta);
-    let certain = low > 0.0 || high < 0.0 || (low == 0.0 && high == 0.0);
-    decision.kind.shapes_the_path() && !certain
 }

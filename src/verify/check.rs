@@ -5,7 +5,7 @@ use radcomp_model::run;
 use radcomp_spec::{Block, Parameters};
 use rug::Rational;
 
-use super::branches::{self, MOST_RUNS, Search};
+use super::branches::{self, MOST_RUNS, Reception, Search};
 use super::path::Path;
 use super::walk::{self, Parting};
 use super::{head, witness};
@@ -123,7 +123,9 @@ impl Question<'_> {
         let answer = self.answer.as_ref().ok_or("a number of the answer is not finite")?;
         let outcome = Path::of_run(&run(self.parameters, program));
         walk::compare(&outcome, answer, &self.delta, &Real::from(&self.beta)).map_err(|parting| match parting {
-            Parting::Path(block) => format!("the answer is not the outcome of {name}: they part at N{}", block + 1),
+            Parting::Path { block, .. } => {
+                format!("the answer is not the outcome of {name}: they part at N{}", block + 1)
+            }
             Parting::Alarm => format!("the answer ends in another alarm than {name}"),
         })
     }
@@ -146,7 +148,11 @@ impl Question<'_> {
         let Some(answer) = &self.answer else { return Search::NotFound };
         let beta = Real::from(&self.beta);
         branches::search(self.parameters, self.program, nearest_f64(&self.beta), |run| {
-            walk::compare(&Path::of_run(run), answer, &self.delta, &beta).is_ok()
+            match walk::compare(&Path::of_run(run), answer, &self.delta, &beta) {
+                Ok(()) => Reception::Accepted,
+                Err(Parting::Path { moves, .. }) => Reception::Refused { moves },
+                Err(Parting::Alarm) => Reception::Refused { moves: usize::MAX },
+            }
         })
     }
 }

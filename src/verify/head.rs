@@ -43,6 +43,7 @@ pub(super) fn contradictions(report: &Report) -> Vec<String> {
     if not_exact != cases {
         found.push(format!("{not_exact} answers were not exact, but {cases} cases are given or left out"));
     }
+    found.extend(share(report));
     let mut given = BTreeMap::new();
     for case in &report.cases {
         *given.entry(case.verdict.as_str()).or_insert(0_u64) += 1;
@@ -54,4 +55,24 @@ pub(super) fn contradictions(report: &Report) -> Vec<String> {
         }
     }
     found
+}
+
+/// What is wrong with the share of the band that the report says is needed: the cases tell it, if all are given.
+fn share(report: &Report) -> Option<String> {
+    let said = report.needed_share_of_beta.map(|share| share.0);
+    if report.red > 0 {
+        return said.map(|share| format!("the device fails, but is said to pass with {share:?} of the band"));
+    }
+    let Some(said) = said else { return Some("the device passes, but the share of the band is not given".to_owned()) };
+    let shares = report.cases.iter().map(|case| match (case.verdict.as_str(), case.change_mm) {
+        ("admissible", Some(change)) => change.0 / case.beta_mm.0,
+        ("exact", _) => 0.0,
+        _ => 1.0,
+    });
+    let due = shares.fold(0.0, f64::max);
+    let bare = report.tally.verdicts.get("admissible-without-witness").is_some_and(|count| *count > 0);
+    let due = if bare { 1.0 } else { due };
+    // A case that was left out may need more.
+    let wrong = if report.cases_left_out == 0 { said != due } else { said < due || said.is_nan() };
+    wrong.then(|| format!("{said:?} of the band is said to be enough, the cases need {due:?}"))
 }

@@ -30,8 +30,13 @@ use super::path::{Move, Path, Shape};
 /// How an answer differs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Parting {
-    /// The paths part at this block.
-    Path(usize),
+    /// The paths part.
+    Path {
+        /// At this block.
+        block: usize,
+        /// No outcome that begins with as many moves of this one is the answer.
+        moves: usize,
+    },
     /// The paths are the same, the alarms are not.
     Alarm,
 }
@@ -65,17 +70,21 @@ pub(super) fn compare(outcome: &Path, answer: &Path, delta: &Real, beta: &Real) 
     let mut walk = Walk { outcome, answer, delta_squared, grain_squared, places };
     let ends = (outcome.moves.len(), answer.moves.len());
     let mut farthest = (0, 0);
+    // The walker on the outcome has come to no move behind this one.
+    let mut last = 0;
     while let Some((at, place)) = walk.places.pop_first() {
         if place.both && at == ends {
             return if outcome.alarm == answer.alarm { Ok(()) } else { Err(Parting::Alarm) };
         }
+        last = last.max(at.0);
         if at.0 + at.1 >= farthest.0 + farthest.1 {
             farthest = at;
         }
         walk.on(at, place);
     }
     let next = [outcome.moves.get(farthest.0), answer.moves.get(farthest.1)];
-    Err(Parting::Path(next.into_iter().flatten().map(|element| element.block).min().unwrap_or_default()))
+    let block = next.into_iter().flatten().map(|element| element.block).min().unwrap_or_default();
+    Err(Parting::Path { block, moves: last + 1 })
 }
 
 impl Walk<'_> {
@@ -86,7 +95,8 @@ impl Walk<'_> {
         if place.both {
             place.outcome_ahead = Some(Real::zero());
             place.answer_ahead = Some(Real::zero());
-            let no_way = |path: &Path, at, way| way != Way::Long && path.moves.get(at).is_some_and(Move::may_have_no_length);
+            let no_way =
+                |path: &Path, at, way| way != Way::Long && path.moves.get(at).is_some_and(Move::may_have_no_length);
             if no_way(outcome, i, self.way(outcome, i, &Real::zero())) && self.near(i + 1, j) {
                 self.reach(i + 1, j).both = true;
             }
@@ -150,7 +160,8 @@ impl Walk<'_> {
 
     /// Which way round an arc goes whose ends lie near each other.
     fn way(&self, path: &Path, at: usize, grain_squared: &Real) -> Way {
-        let Some(Shape::Arc { centre, direction, full: false }) = path.moves.get(at).map(|element| &element.shape) else {
+        let Some(Shape::Arc { centre, direction, full: false }) = path.moves.get(at).map(|element| &element.shape)
+        else {
             return Way::Either;
         };
         let (from, to) = (path.after(at), path.after(at + 1));

@@ -95,6 +95,9 @@ pub fn report(list: Vec<Case>) -> Report {
     let (mut tally, mut cases) = (Tally::default(), Cases::default());
     for case in list {
         tally.programs += 1;
+        if let Some(change) = case.change_mm {
+            tally.greatest_share = tally.greatest_share.max(change.0 / case.beta_mm.0);
+        }
         let known = ["exact", "admissible", "admissible-without-witness", "inadmissible", "fork-limit", "crash"];
         let id = known.into_iter().find(|id| *id == case.verdict).expect("a verdict");
         *tally.verdicts.entry(id).or_default() += 1;
@@ -127,7 +130,7 @@ pub fn judged(device: &mut dyn Device, budget: &Budget, programs: u64) -> Report
     for number in 0..programs {
         let blocks = program(7, number, Reach::of(&profile));
         let judged = judge(device, &profile.parameters, &blocks, budget);
-        tally.add(&blocks, &judged);
+        tally.add(&blocks, &judged, budget.beta(&blocks));
         let case = case(&format!("#{number}"), &blocks, &judged, budget, budget.beta(&blocks));
         case.into_iter().for_each(|case| cases.add(case));
     }

@@ -60,11 +60,11 @@ impl Real {
             let waiting = pending.len();
             // A number proved to be zero counts as the rational 0, whatever it was made from.
             let shape = &real.0.shape;
-            let operands = if real.known_zero() { [None, None] } else { shape.operands() };
+            let operands = if real.is_certain_zero() { [None, None] } else { shape.operands() };
             pending.extend(operands.into_iter().flatten().filter(|operand| !sizes.contains_key(&operand.address())));
             if pending.len() == waiting {
                 if let Shape::Root(radicand) = shape
-                    && !real.known_zero()
+                    && !real.is_certain_zero()
                 {
                     roots.add(radicand);
                 }
@@ -83,7 +83,7 @@ impl Real {
 
 fn size<'a>(real: &'a Real, of: impl Fn(&'a Real) -> Size) -> Size {
     match &real.0.shape {
-        _ if real.known_zero() => Size::default(),
+        _ if real.is_certain_zero() => Size::default(),
         Shape::Rational(value) | Shape::Input(value) => Size::of_rational(value),
         Shape::Negation(a) => of(a),
         Shape::Sum(a, b) | Shape::Difference(a, b) => of(a).plus(of(b)),

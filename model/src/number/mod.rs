@@ -17,7 +17,6 @@
 mod bound;
 mod closed_form;
 mod decimal;
-mod reach;
 mod expression;
 mod filter;
 mod node;
@@ -25,6 +24,7 @@ mod operators;
 mod parse;
 mod patience;
 mod quadratic;
+mod reach;
 mod refine;
 mod sign;
 #[cfg(test)]
@@ -93,6 +93,7 @@ impl Real {
     pub fn sqrt(&self) -> Option<Real> {
         match self.sign() {
             core::cmp::Ordering::Less => None,
+            core::cmp::Ordering::Equal if self.0.traced => Some(Real::node(Interval::ZERO, Shape::Root(self.clone()))),
             core::cmp::Ordering::Equal => Some(Real::zero()),
             core::cmp::Ordering::Greater => Some(self.positive_sqrt()),
         }
@@ -214,8 +215,13 @@ impl Real {
         Rc::ptr_eq(&self.0, &other.0)
     }
 
-    /// Whether the number is zero, as far as is known without work.
+    /// Whether the number is zero whatever the program's numbers are, as far as is known without work.
     fn known_zero(&self) -> bool {
+        !self.0.traced && self.is_certain_zero()
+    }
+
+    /// Whether the number is zero, as far as is known without work.
+    fn is_certain_zero(&self) -> bool {
         self.0.filter.get().is_zero()
     }
 }

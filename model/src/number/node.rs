@@ -16,6 +16,8 @@ pub(super) struct Node {
     pub(super) ceiling: i64,
     /// The longest chain of operations below.
     depth: u32,
+    /// Whether an input is among what it was made from; then no step is left out for being zero.
+    pub(super) traced: bool,
     /// The best approximation computed so far.
     pub(super) approximation: RefCell<Option<Approximation>>,
     /// How the number was made.
@@ -93,11 +95,13 @@ const SHALLOW: u32 = 500;
 impl Node {
     pub(super) fn new(filter: Interval, shape: Shape) -> Node {
         let [left, right] = shape.operands();
+        let traced = |operand: Option<&Real>| operand.is_some_and(|real| real.0.traced);
         let depth = |operand: Option<&Real>| operand.map_or(0, |real| real.0.depth + 1);
         Node {
             filter: Cell::new(filter),
             ceiling: filter.ceiling().unwrap_or_else(|| shape.ceiling()),
             depth: depth(left).max(depth(right)),
+            traced: matches!(shape, Shape::Input(_)) || traced(left) || traced(right),
             approximation: RefCell::new(None),
             shape,
         }

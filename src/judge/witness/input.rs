@@ -54,6 +54,15 @@ pub(super) fn with(blocks: &[Block<Rational>], (index, number): Place, value: &R
     moved
 }
 
+/// The blocks with one number replaced, and no other.
+pub(super) fn with_alone(blocks: &[Block<Rational>], (index, number): Place, value: Rational) -> Vec<Block<Rational>> {
+    let mut moved = blocks.to_vec();
+    if let Some(place) = place(&mut moved[index], number) {
+        *place = value;
+    }
+    moved
+}
+
 fn end_of(block: &Block<Rational>) -> Option<[Rational; 2]> {
     match &block.movement {
         Movement::Line { end } | Movement::Arc { end, .. } => Some(end.clone()),
@@ -78,6 +87,7 @@ pub(super) fn halfway(from: &[Block<Rational>], to: &[Block<Rational>]) -> Vec<B
 
 /// The largest difference of two programs in one number.
 pub(super) fn change(from: &[Block<Rational>], to: &[Block<Rational>]) -> Rational {
-    let places = from.iter().enumerate().flat_map(|(index, block)| (0..numbers(block)).map(move |number| (index, number)));
+    let places =
+        from.iter().enumerate().flat_map(|(index, block)| (0..numbers(block)).map(move |number| (index, number)));
     places.map(|place| (number_of(to, place) - number_of(from, place)).abs()).max().unwrap_or_default()
 }

@@ -10,6 +10,8 @@ use crate::judge::{Difference, Divergence, Shape, Stroke};
 
 /// How often an input is improved before the search is given up.
 const MOST_ROUNDS: usize = 12;
+/// The shares of the band that neighbours stand off.
+const SHARES: [f64; 4] = [0.5, -0.5, 1.0 / 64.0, -1.0 / 64.0];
 /// A point that is farther off than so many bands is not looked for: nothing but a wedge a kilometre long moves so far.
 const FARTHEST: f64 = 1e9;
 /// How often a step that does not help is halved.
@@ -33,13 +35,43 @@ impl Search<'_> {
     /// Gauss and Newton's method: the smallest change of the numbers around it that brings the first divergent point to
     /// where the device has it, no number leaving the band; then the next point, until the paths agree.
     pub(in crate::judge) fn for_points(&self, exact: &Run) -> Option<Witness> {
-        let mut best = self.blocks.to_vec();
-        let mut divergence = self.divergence(exact)?;
+        let divergence = self.divergence(exact)?;
+        let gap = gap(&divergence)?;
+        if gap[0].hypot(gap[1]) > self.beta * FARTHEST {
+            return None;
+        }
+        self.improved(self.blocks.to_vec(), divergence)
+    }
+
+    /// Looks for such an input from others than the program: one of its numbers moved to the edge of the band. They
+    /// take branches that have no outcome at the program itself.
+    pub(in crate::judge) fn beside_the_program(&self, divergence: &Divergence) -> Option<Witness> {
+        let beta = Rational::from_f64(self.beta)?;
+        for index in input::near(self.blocks, divergence.block) {
+            for number in 0..input::numbers(&self.blocks[index]) {
+                for share in SHARES {
+                    let off = Rational::from_f64(share)? * &beta;
+                    let value = input::number_of(self.blocks, (index, number)) + off;
+                    let start = input::with_alone(self.blocks, (index, number), value);
+                    match self.parting(&start) {
+                        None => {}
+                        Some(None) => return Some(self.nearest(start, &[])),
+                        Some(Some(left)) => {
+                            let found = self.improved(start, left);
+                            if found.is_some() {
+                                return found;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    fn improved(&self, mut best: Vec<Block<Rational>>, mut divergence: Divergence) -> Option<Witness> {
         for _ in 0..MOST_ROUNDS {
             let gap = gap(&divergence)?;
-            if gap[0].hypot(gap[1]) > self.beta * FARTHEST {
-                return None;
-            }
             let levers = self.levers(&best, &divergence)?;
             if !can_close(&levers, gap, self.beta) {
                 return None;
@@ -71,7 +103,7 @@ impl Search<'_> {
             for number in 0..input::numbers(&best[index]) {
                 let place = (index, number);
                 let now = input::number_of(best, place);
-                let at = Rational::from(&now - input::number_of(self.blocks, place)).to_f64();
+                let at = (&now - input::number_of(self.blocks, place)).to_f64();
                 // Toward the program's own number, so that the probe stays within the band.
                 let probe = if at > 0.0 { -PROBE * self.beta } else { PROBE * self.beta };
                 let moved = input::with(best, place, &(now + Rational::from_f64(probe)?));

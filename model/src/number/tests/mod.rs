@@ -4,6 +4,7 @@ mod conversions;
 mod forms;
 mod identities;
 mod intervals;
+mod reach;
 mod signs;
 mod speed;
 
