@@ -9,7 +9,7 @@ TARGET_DIR := $(or $(CARGO_TARGET_DIR),target)
 LOCKED := $(if $(CI),--locked)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build test certify bench lint doc
+.PHONY: help setup build test prove certify bench lint doc
 
 help: ## List the targets
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
@@ -21,8 +21,13 @@ build: setup ## Build the command and every library, optimised
 	$(CARGO) build $(LOCKED) --workspace --release
 
 test: lint doc ## Everything CI checks: format, lints, documentation, dependencies, every test
+	@scripts/setup --test
 	scripts/check
 	scripts/test $(LOCKED)
+
+prove: ## Lemmas and exhaustive searches of proofs/, with what they visited; Kani too where it is installed
+	@scripts/setup --test
+	scripts/prove $(LOCKED)
 
 certify: setup ## Certify the built-in device against each profile (PROFILES=…, LEVEL=…)
 	$(CARGO) build $(LOCKED) --release --bin radcomp
