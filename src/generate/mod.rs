@@ -7,6 +7,7 @@
 mod codes;
 mod contour;
 mod dice;
+mod edited;
 mod features;
 
 use radcomp_spec::Block;
@@ -15,6 +16,8 @@ use radcomp_spec::profile::Profile;
 use rug::Rational;
 
 use dice::Dice;
+
+pub use edited::Edited;
 
 /// What a profile lets programs hold.
 #[derive(Clone, Copy, Debug)]
