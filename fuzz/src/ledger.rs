@@ -24,6 +24,8 @@ static COUNTERS: [AtomicU8; KINDS * SIDES * STEPS] = [const { AtomicU8::new(0) }
 static TAKEN: [AtomicU64; KINDS * SIDES] = [const { AtomicU64::new(0) }; KINDS * SIDES];
 /// The least margin there, as the bits of its magnitude: those of positive numbers are in the order of the numbers.
 static NEAREST: [AtomicU64; KINDS * SIDES] = [const { AtomicU64::new(u64::MAX) }; KINDS * SIDES];
+/// Red verdicts that were passed over for a stated reason.
+static WAIVED: AtomicU64 = AtomicU64::new(0);
 /// Inputs run.
 static RUNS: AtomicU64 = AtomicU64::new(0);
 
@@ -41,6 +43,11 @@ pub fn ran() {
         // A campaign goes on without its report.
         let _ = std::fs::write(file, report());
     }
+}
+
+/// Counts a red verdict that is passed over.
+pub fn waived() {
+    WAIVED.fetch_add(1, Ordering::Relaxed);
 }
 
 /// Notes every decision of an exact run.
@@ -70,7 +77,8 @@ fn step(margin: f64) -> usize {
 /// The report: a line for each decision and side.
 #[must_use]
 pub fn report() -> String {
-    let mut report = format!("{} inputs\n", RUNS.load(Ordering::Relaxed));
+    let (runs, waived) = (RUNS.load(Ordering::Relaxed), WAIVED.load(Ordering::Relaxed));
+    let mut report = format!("{runs} inputs, {waived} red verdicts waived\n");
     for (kind, decision) in DecisionKind::ALL.iter().enumerate() {
         for (side, name) in ["below", "on", "above"].into_iter().enumerate() {
             let place = kind * SIDES + side;
