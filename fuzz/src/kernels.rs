@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use radcomp::generate::Edited;
+use radcomp::edited::Edited;
 use radcomp_model::number::Real;
 use radcomp_model::run;
 use radcomp_model::tower::{Refusal, Tower};

@@ -1,8 +1,8 @@
 //! Targets over programs: bytes name a generated program and edits of it ([`Edited`]).
 
 use radcomp::device::{Answer, Builtin, Device, DeviceFault};
+use radcomp::edited::Edited;
 use radcomp::gcode::{print_blocks, read};
-use radcomp::generate::Edited;
 use radcomp::judge::{Budget, Grade, Judged, Verdict, judge};
 use radcomp::metamorphic;
 use radcomp::safety::{Contour, Finding, SafetyVerdict, check};
@@ -46,6 +46,15 @@ fn is_far(run: &Run) -> bool {
     run.advisories
         .iter()
         .any(|advisory| advisory.kind == AdvisoryKind::FarIntersection && advisory.amount > Real::integer(1_000_000))
+}
+
+/// Whether the tool's arc may have no length: its end is then a rounding before or behind its start, and read as it is
+/// written an end before the start is a whole turn. The judge compares ends and does not see it.
+fn shrinks_to_nothing(run: &Run, beta: f64) -> bool {
+    run.decisions.iter().any(|(decision, _)| {
+        let (low, high) = decision.margin.filter();
+        decision.kind == DecisionKind::ArcForward && low <= beta && high >= -beta
+    })
 }
 
 /// Whether two offset curves overlap by less than the band, and not exactly by nothing. A device may take them to touch; the
@@ -103,6 +112,10 @@ pub fn safety(bytes: &[u8]) {
         return;
     }
     let device = check(&contour(), &answer.steps, GOUGE + 2.0 * BUDGET.delta);
+    if matches!(device.path, Finding::Gouges(_)) && shrinks_to_nothing(&judged.exact, BUDGET.beta(&blocks)) {
+        ledger::waived();
+        return;
+    }
     assert!(
         !matches!(device.path, Finding::Gouges(_)),
         "{}: exact {exact:?}, device {device:?}\n{}",

@@ -7,7 +7,6 @@
 mod codes;
 mod contour;
 mod dice;
-mod edited;
 mod features;
 
 use radcomp_spec::Block;
@@ -16,8 +15,6 @@ use radcomp_spec::profile::Profile;
 use rug::Rational;
 
 use dice::Dice;
-
-pub use edited::Edited;
 
 /// What a profile lets programs hold.
 #[derive(Clone, Copy, Debug)]

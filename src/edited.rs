@@ -1,11 +1,12 @@
-//! Generated programs that a fuzzer moves: bytes name a program of the generator and edits of it, so that a mutated
-//! byte is a small change of one number, down to 10⁻⁹ mm, or of one block.
+//! Programs that a fuzzer moves: bytes name a generated program, or one exactly on a decision's boundary, and edits of it,
+//! so that a mutated byte is a small change of one number, down to 10⁻⁹ mm, or of one block.
 
 use radcomp_spec::profile::{BUILTIN, Profile};
-use radcomp_spec::{Block, Centre, Compensation, Movement, OuterCorner, Side};
+use radcomp_spec::{Block, Centre, Compensation, DecisionKind, Movement, OuterCorner, Side};
 use rug::Rational;
 
-use super::{Reach, program};
+use crate::boundary;
+use crate::generate::{Reach, program};
 
 /// A program drawn from bytes.
 #[derive(Clone, Debug)]
@@ -16,8 +17,11 @@ pub struct Edited {
     pub blocks: Vec<Block<Rational>>,
 }
 
-/// Bytes that name the generated program: profile, seed, number.
+/// Bytes that name the program before its edits: profile, seed, number; or, from [`ON_BOUNDARY`] on, profile, decision,
+/// seed, number.
 const HEAD: usize = 4;
+/// The least first byte of a program on a boundary.
+const ON_BOUNDARY: u8 = 160;
 /// Bytes of an edit: what, which block, and by how much: a power of ten, and how often.
 const EDIT: usize = 5;
 /// The most edits that are made; more bytes are passed over.
@@ -32,8 +36,15 @@ impl Edited {
         let (head, edits) = bytes.split_at_checked(HEAD)?;
         let (name, _) = BUILTIN[usize::from(head[0]) % BUILTIN.len()];
         let profile = Profile::builtin(name)?;
-        let seed = u64::from(u16::from_le_bytes([head[1], head[2]]));
-        let mut blocks = program(seed, u64::from(head[3]), Reach::of(&profile));
+        let mut blocks = if head[0] < ON_BOUNDARY {
+            let seed = u64::from(u16::from_le_bytes([head[1], head[2]]));
+            program(seed, u64::from(head[3]), Reach::of(&profile))
+        } else {
+            let kind = DecisionKind::ALL[usize::from(head[1]) % DecisionKind::ALL.len()];
+            let triple = boundary::triples(kind, u64::from(head[2]), u64::from(head[3]), Reach::of(&profile))?;
+            let [_, on, _] = triple.programs;
+            on
+        };
         for edit in edits.chunks_exact(EDIT).take(MOST_EDITS) {
             let times = i16::from_le_bytes([edit[3], edit[4]]);
             let amount = Rational::from((i64::from(times), 10_i64.pow(3 + u32::from(edit[2] % 7))));
