@@ -9,10 +9,10 @@ TARGET_DIR := $(or $(CARGO_TARGET_DIR),target)
 LOCKED := $(if $(CI),--locked)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build test certify bench lint doc
+.PHONY: help setup build test prove fuzz-smoke nightly certify bench lint doc
 
 help: ## List the targets
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
 
 setup: ## Install the system packages that the build needs, if any is missing
 	@scripts/setup
@@ -21,8 +21,20 @@ build: setup ## Build the command and every library, optimised
 	$(CARGO) build $(LOCKED) --workspace --release
 
 test: lint doc ## Everything CI checks: format, lints, documentation, dependencies, every test
+	@scripts/setup --test
 	scripts/check
 	scripts/test $(LOCKED)
+	scripts/fuzz smoke-if-installed
+
+prove: ## Lemmas and exhaustive searches of proofs/, with what they visited; Kani too where it is installed
+	@scripts/setup --test
+	scripts/prove $(LOCKED)
+
+fuzz-smoke: setup ## Each fuzz target on its seeds and corpus, and 30 s more; a planted fault must be found
+	scripts/fuzz smoke
+
+nightly: setup ## What takes hours: every fuzz target for half an hour, with the address sanitizer
+	scripts/fuzz long
 
 certify: setup ## Certify the built-in device against each profile (PROFILES=…, LEVEL=…)
 	$(CARGO) build $(LOCKED) --release --bin radcomp

@@ -4,6 +4,7 @@ pub mod boundary;
 pub mod canon;
 pub mod certify;
 pub mod device;
+pub mod edited;
 pub mod explain;
 pub mod gcode;
 pub mod generate;

@@ -12,6 +12,7 @@ mod options;
 mod plot;
 mod profiles;
 mod program;
+mod promote;
 mod run;
 mod safety;
 mod terminal;
@@ -53,6 +54,7 @@ enum Command {
     Profiles(profiles::Profiles),
     Certify(certify::Certify),
     VerifyWitness(verify_witness::VerifyWitness),
+    Promote(promote::Promote),
     Clause(clause::Clauses),
     Completions(completions::Completions),
 }
@@ -67,6 +69,7 @@ pub fn main() -> ExitCode {
         Command::Profiles(command) => command.execute(),
         Command::Certify(command) => command.execute(),
         Command::VerifyWitness(command) => command.execute(),
+        Command::Promote(command) => command.execute(),
         Command::Clause(command) => command.execute(),
         Command::Completions(command) => command.execute(),
     };

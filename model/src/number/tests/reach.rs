@@ -51,9 +51,14 @@ fn what_is_zero_by_chance_is_followed() {
 
 #[test]
 fn a_sign_that_takes_too_many_bits_is_given_up_and_not_learnt() {
-    let root = |value| Real::integer(value).sqrt().expect("positive");
-    let twice = |value| Real::integer(2) * root(value);
-    let zero = || (root(2) + root(3) + root(5)).square() - Real::integer(10) - twice(6) - twice(10) - twice(15);
+    let root = |value: Real| value.sqrt().expect("positive");
+    let [p, q] = [1_000_003, 1_000_033];
+    // √(p + √q)·√(p - √q) = √(p² - q)
+    let zero = || {
+        let inner = root(Real::integer(q));
+        let product = root(Real::integer(p) + &inner) * root(Real::integer(p) - &inner);
+        product - root(Real::integer(p * p - q))
+    };
     let number = zero();
     assert_eq!(within_bits(16, || number.is_zero()), None);
     assert_eq!(within_bits(1_000_000, || number.is_zero()), Some(true));

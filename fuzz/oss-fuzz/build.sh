@@ -1,0 +1,17 @@
+#!/bin/bash -eu
+# Builds every target with cargo-fuzz and puts it where OSS-Fuzz and ClusterFuzzLite look, with its seeds and dictionary.
+cd "$SRC/radcomp/fuzz"
+cargo fuzz build -O
+
+release=target/x86_64-unknown-linux-gnu/release
+for target in model_and_implementation kernels metamorphic reader round_trip profile_file safety; do
+    cp "$release/$target" "$OUT/"
+    case $target in
+        reader | kernels) seeds=seeds/$target ;;
+        profile_file) seeds=../spec/profiles ;;
+        *) seeds=seeds/programs ;;
+    esac
+    zip -q -j "$OUT/${target}_seed_corpus.zip" "$seeds"/*
+done
+cp dictionaries/gcode.dict "$OUT/reader.dict"
+cp dictionaries/profile.dict "$OUT/profile_file.dict"

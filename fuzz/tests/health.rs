@@ -1,0 +1,78 @@
+//! Gates of the generators: what bytes lead to must reach comparison, and no shape may starve a clause or a decision.
+//! A fuzzer whose programs stop at their first block finds nothing, and nobody notices.
+
+use std::collections::BTreeMap;
+
+use radcomp::edited::Edited;
+use radcomp_fuzz::ledger;
+use radcomp_fuzz::ordinary::Dice;
+use radcomp_model::run;
+use radcomp_spec::{Clause, DecisionKind, clause};
+
+const INPUTS: u32 = 40_000;
+
+/// What a path's steps cite, by the text: every clause that makes a vector.
+const CLAUSES: [Clause; 20] = [
+    clause::TRC_MODE_01,
+    clause::TRC_MODE_04,
+    clause::TRC_MODE_06,
+    clause::TRC_START_02,
+    clause::TRC_CORNER_02,
+    clause::TRC_CORNER_03,
+    clause::TRC_CORNER_04,
+    clause::TRC_CORNER_06,
+    clause::TRC_CORNER_07,
+    clause::TRC_CORNER_08,
+    clause::TRC_CORNER_09,
+    clause::TRC_CORNER_10,
+    clause::TRC_SIDE_02,
+    clause::TRC_SIDE_03,
+    clause::TRC_CANCEL_01,
+    clause::TRC_CANCEL_02,
+    clause::TRC_CANCEL_03,
+    clause::TRC_LOOK_03,
+    clause::TRC_LOOK_05,
+    clause::TRC_DUMMY_02,
+];
+
+/// Sides that no geometry has: lengths and distances are not negative.
+const IMPOSSIBLE: [(DecisionKind, usize); 4] = [
+    (DecisionKind::Moves, 0),
+    (DecisionKind::CentreDistance, 0),
+    (DecisionKind::WholeTurn, 0),
+    (DecisionKind::CentresApart, 0),
+];
+
+#[test]
+fn programs_reach_comparison_and_no_clause_starves() {
+    let seeds: Vec<_> = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/seeds/programs"))
+        .unwrap()
+        .map(|entry| std::fs::read(entry.unwrap().path()).unwrap())
+        .collect();
+    let mut dice = Dice(1);
+    let (mut made, mut compared) = (0, 0);
+    let mut clauses: BTreeMap<Clause, u32> = BTreeMap::new();
+    for _ in 0..INPUTS {
+        let Some(Edited { profile, blocks }) = Edited::from_bytes(&dice.input(&seeds)) else { continue };
+        let run = run(&profile.parameters, &blocks);
+        ledger::note(&run);
+        made += 1;
+        // Compensation has made a vector, be it only the normal where an alarm stops the tool.
+        let shaped = |clause| clause != clause::TRC_MODE_01 && clause != clause::TRC_LOOK_01;
+        compared += u32::from(run.steps.iter().any(|step| shaped(step.clause)));
+        for step in run.steps {
+            *clauses.entry(step.clause).or_default() += 1;
+        }
+    }
+    println!("{compared} of {made} programs reach comparison, of {INPUTS} inputs; {clauses:?}");
+    assert!(made * 10 >= INPUTS * 9, "of {INPUTS} inputs only {made} are programs");
+    assert!(compared * 10 >= made * 9, "of {made} programs only {compared} reach comparison");
+    for clause in CLAUSES {
+        assert!(clauses.get(&clause).is_some_and(|count| *count >= 10), "{clause} starves: {:?}", clauses.get(&clause));
+    }
+    for kind in DecisionKind::ALL {
+        for (side, taken) in ledger::taken(*kind).into_iter().enumerate() {
+            assert!(taken > 0 || IMPOSSIBLE.contains(&(*kind, side)), "{} is never on side {side}", kind.id());
+        }
+    }
+}

@@ -1,0 +1,28 @@
+; How far an inner intersection stands from the corner
+;
+; Clauses: [TRC-CORNER-03], [TRC-WEDGE-01]
+;
+; The inner intersection of two lines stands r·√(1 + tan²(|φ|/2)) from P; its square times (1 + d) is 2·r². It is the
+; distance that the advisory for a far intersection compares. P is the origin and u1 the first axis: frame-rotation
+; says why that is no loss.
+;
+; Twin replaces: (* 2 r r)
+; Twin has:      (* 3 r r)
+(set-logic QF_NRA)
+(define-fun cross ((va Real) (vb Real) (wa Real) (wb Real)) Real (- (* va wb) (* vb wa)))
+(define-fun mag ((v Real)) Real (ite (>= v 0) v (- v)))
+(declare-const sigma Real) ; +1 left, -1 right
+(assert (or (= sigma 1) (= sigma (- 1))))
+(declare-const r Real)
+(assert (> r 0))
+(declare-const c Real) ; u1 = (1, 0) and u2 = (d, c): cross(u1, u2) = c, dot(u1, u2) = d
+(declare-const d Real)
+(assert (= (+ (* c c) (* d d)) 1))
+(assert (or (> (* sigma c) 0) (and (= c 0) (> d 0)))) ; an inner corner
+(declare-const t Real) ; tan(|phi|/2)
+(assert (and (> d (- 1)) (= (* t (+ 1 d)) (mag c))))
+(define-fun va () Real (- (* r t)))
+(define-fun vb () Real (* r sigma))
+(assert (not
+  (= (* (+ (* va va) (* vb vb)) (+ 1 d)) (* 2 r r))))
+(check-sat)
