@@ -86,7 +86,7 @@ fn verdict(profile: &Profile, blocks: &[Block<Rational>]) -> Judgement {
 fn smaller(profile: &Profile, blocks: Vec<Block<Rational>>) -> Vec<Block<Rational>> {
     let failed = |blocks: &[Block<Rational>]| {
         let verdict = verdict(profile, blocks);
-        let failed = Failed { name: String::new(), verdict, blocks: blocks.to_vec() };
+        let failed = Failed::new(String::new(), verdict, blocks.to_vec());
         (failed.verdict.is_red() && failed.listing(profile).is_ok()).then(|| failed.group())
     };
     match failed(&blocks) {

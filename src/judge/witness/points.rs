@@ -12,7 +12,7 @@ use crate::judge::{Difference, Divergence, Shape, Stroke};
 const MOST_ROUNDS: usize = 12;
 /// The shares of the band that neighbours stand off.
 const SHARES: [f64; 4] = [0.5, -0.5, 1.0 / 64.0, -1.0 / 64.0];
-/// A point that is farther off than so many bands is not looked for: nothing but a wedge a kilometre long moves so far.
+/// A point that is farther off than so many bands is not looked for, except at the end of a wedge a kilometre long.
 const FARTHEST: f64 = 1e9;
 /// How often a step that does not help is halved.
 const HALVINGS: usize = 4;
@@ -37,7 +37,9 @@ impl Search<'_> {
     pub(in crate::judge) fn for_points(&self, exact: &Run) -> Option<Witness> {
         let divergence = self.divergence(exact)?;
         let gap = gap(&divergence)?;
-        if gap[0].hypot(gap[1]) > self.beta * FARTHEST {
+        // The vector of a wedge follows its angle with the square of its length.
+        let [a, b] = divergence.expected?.to;
+        if gap[0].hypot(gap[1]) > self.beta * (a * a + b * b).max(FARTHEST) {
             return None;
         }
         self.improved(self.blocks.to_vec(), divergence)
