@@ -2,8 +2,12 @@
 
 mod campaign;
 mod failure;
+mod programs;
+mod recorded;
 mod tally;
 
 pub use campaign::{Campaign, Level, Outcome, certify};
 pub use failure::Failure;
+pub use programs::programs;
+pub use recorded::Recorded;
 pub use tally::{ClauseTally, Tally};

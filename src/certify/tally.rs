@@ -55,11 +55,11 @@ impl Tally {
         self.blocks += blocks.len() as u64;
         *self.verdicts.entry(judged.verdict.id()).or_default() += 1;
         let used = self.add_run(&judged.exact);
-        let red = judged.verdict.is_red();
+        let passed = judged.verdict.is_green();
         for clause in used {
             let tally = self.clauses.entry(clause.id()).or_default();
             tally.programs += 1;
-            tally.passed += u64::from(!red);
+            tally.passed += u64::from(passed);
         }
         if let Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence) = &judged.verdict {
             self.clauses.entry(divergence.clause.id()).or_default().failed += 1;
@@ -117,9 +117,14 @@ impl Tally {
 
     /// Programs that the device failed, and relations that it broke.
     pub fn red(&self) -> u64 {
-        let green = ["exact", "admissible", "admissible-without-witness"];
-        let failed: u64 = self.verdicts.iter().filter(|(id, _)| !green.contains(id)).map(|(_, count)| count).sum();
+        let not_red = ["exact", "admissible", "admissible-without-witness", "unsupported"];
+        let failed: u64 = self.verdicts.iter().filter(|(id, _)| !not_red.contains(id)).map(|(_, count)| count).sum();
         failed + self.broken
+    }
+
+    /// Programs that the device says it does not support: neither failed nor passed.
+    pub fn unsupported(&self) -> u64 {
+        self.verdicts.get("unsupported").copied().unwrap_or_default()
     }
 
     /// Kinds of decisions that were never taken on one of their sides, with the side.

@@ -17,5 +17,5 @@ pub(crate) use compare::path_difference;
 pub use compare::{Difference, Divergence};
 pub use fork::Flip;
 pub use stroke::{Shape, Stroke};
-pub use verdict::{Judged, Verdict, judge};
+pub use verdict::{Judged, Verdict, judge, judge_answer};
 pub use witness::Witness;
