@@ -161,7 +161,12 @@ fn judge_all(campaign: &Campaign, device: &mut impl Device, programs: &[Vec<Bloc
     judged.map(|(answer, blocks)| judge_answer(answer, parameters, blocks, &campaign.budget)).collect()
 }
 
-pub(super) fn case_of(campaign: &Campaign, name: &str, blocks: &[Block<Rational>], judged: &Judged) -> Option<report::Case> {
+pub(super) fn case_of(
+    campaign: &Campaign,
+    name: &str,
+    blocks: &[Block<Rational>],
+    judged: &Judged,
+) -> Option<report::Case> {
     report::case(name, blocks, judged, &campaign.budget, campaign.budget.beta(blocks))
 }
 

@@ -38,7 +38,8 @@ impl<'c> Recorded<'c> {
 
     /// What came of it.
     pub fn outcome(mut self) -> Outcome {
-        let mut groups: Vec<_> = self.groups.into_iter().map(|(name, (count, failure))| (name, count, failure)).collect();
+        let mut groups: Vec<_> =
+            self.groups.into_iter().map(|(name, (count, failure))| (name, count, failure)).collect();
         groups.sort_by(|x, y| y.1.cmp(&x.1).then_with(|| x.0.cmp(&y.0)));
         self.outcome.groups = groups;
         self.outcome

@@ -34,7 +34,9 @@ impl DeviceKit {
         for KitFile { path, text } in kit::files(&self.language).unwrap_or_default() {
             let path = self.output.join(path);
             let failed = |reason: std::io::Error| match reason.kind() {
-                ErrorKind::AlreadyExists => Failure::Input(format!("{} is there already; nothing is overwritten", path.display())),
+                ErrorKind::AlreadyExists => {
+                    Failure::Input(format!("{} is there already; nothing is overwritten", path.display()))
+                }
                 _ => Failure::Input(format!("{} cannot be written: {reason}", path.display())),
             };
             if let Some(folder) = path.parent() {

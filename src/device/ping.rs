@@ -143,7 +143,9 @@ fn arc(device: &mut dyn Device, profile: &Profile) -> Result<String, String> {
             Err("a G03 arc is answered as cw; G03 is ccw, seen from the positive end of the plane's normal".to_owned())
         }
         Segment::Arc { full: true, .. } => Err("a quarter of a turn is answered as a full one".to_owned()),
-        Segment::Arc { centre, .. } if is_near(centre, [10.0, 20.0]) => Ok("centre and sense are as they should be".to_owned()),
+        Segment::Arc { centre, .. } if is_near(centre, [10.0, 20.0]) => {
+            Ok("centre and sense are as they should be".to_owned())
+        }
         Segment::Arc { centre: [a, b], .. } => {
             let from_start = is_near([a, b], [-10.0, 0.0]);
             let hint = if from_start { "; it is given from the start of the arc, and has to be absolute" } else { "" };
@@ -160,7 +162,8 @@ fn hold(device: &mut dyn Device, profile: &Profile) -> Result<String, String> {
     if kinds == [(0, false), (1, true), (2, false)] {
         return Ok("a hold stands between the two moves".to_owned());
     }
-    Err("a block that moves nothing in the plane has to be answered by a hold with its number, where it is executed".to_owned())
+    Err("a block that moves nothing in the plane has to be answered by a hold with its number, where it is executed"
+        .to_owned())
 }
 
 fn rapid(device: &mut dyn Device, profile: &Profile) -> Result<String, String> {
@@ -181,11 +184,8 @@ fn empty(device: &mut dyn Device, profile: &Profile) -> Result<String, String> {
 }
 
 fn compensation(device: &mut dyn Device, profile: &Profile) -> Result<String, String> {
-    let on = Block {
-        compensation: Some(Compensation::On(Side::Left)),
-        radius: Some(Rational::from(2)),
-        ..line(10.0, 0.0)
-    };
+    let on =
+        Block { compensation: Some(Compensation::On(Side::Left)), radius: Some(Rational::from(2)), ..line(10.0, 0.0) };
     let off = Block { compensation: Some(Compensation::Off), ..line(40.0, 0.0) };
     let blocks = [on, line(20.0, 0.0), line(30.0, 0.0), off];
     let answer = match ask(device, &profile.parameters, &blocks) {
@@ -220,7 +220,11 @@ fn many(device: &mut dyn Device, profile: &Profile) -> Result<String, String> {
             Err(fault) => return Err(format!("program {number} of {MANY}: {fault}")),
             Ok(answer) if number % 6 == 0 => match ask(device, &profile.parameters, program) {
                 Ok(alone) if alone == *answer => {}
-                _ => return Err(format!("program {number} of {MANY} is answered otherwise when it is asked again, alone")),
+                _ => {
+                    return Err(format!(
+                        "program {number} of {MANY} is answered otherwise when it is asked again, alone"
+                    ));
+                }
             },
             Ok(_) => {}
         }

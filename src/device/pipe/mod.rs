@@ -110,9 +110,7 @@ impl Pipe {
                     },
                     Err(error) => DeviceFault::Garbled(error.0),
                 },
-                Event::TooLong => {
-                    DeviceFault::Garbled(format!("a line of more than {} bytes", self.limits.most_bytes))
-                }
+                Event::TooLong => DeviceFault::Garbled(format!("a line of more than {} bytes", self.limits.most_bytes)),
                 Event::Silence => {
                     let seconds = self.limits.timeout.as_secs_f64();
                     DeviceFault::Timeout(format!("no answer within {seconds} s"))
@@ -221,7 +219,8 @@ fn note(
     let shown = super::wire::shown(reply.id.as_bytes());
     match questions.iter().position(|question| question.id == reply.id) {
         Some(index) => {
-            results[index] = Some(Err(DeviceFault::Garbled(format!("the request with the id {shown} was answered twice"))));
+            results[index] =
+                Some(Err(DeviceFault::Garbled(format!("the request with the id {shown} was answered twice"))));
             Ok(())
         }
         None => Err(DeviceFault::Garbled(format!("an answer for the id {shown}, which nothing waits for"))),

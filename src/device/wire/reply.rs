@@ -34,7 +34,8 @@ impl Reply {
         let id = match identified.id {
             Some(AnyId::Text(text)) => text,
             Some(AnyId::Number(number)) => {
-                let text = format!("the id {number} is a number; it is a string in the request, to be repeated as it is");
+                let text =
+                    format!("the id {number} is a number; it is a string in the request, to be repeated as it is");
                 return Ok(Reply { id: number.to_string(), answer: Err(DeviceFault::Garbled(text)) });
             }
             None => return Err(ReplyError(format!("the line has no \"id\": {}", shown(line)))),
@@ -50,7 +51,8 @@ impl Reply {
         if let Ok(answer) = &self.answer {
             let named = answer.steps.iter().map(|step| step.block).chain(answer.alarm.map(|alarm| alarm.block));
             if let Some(block) = named.into_iter().find(|block| *block >= blocks) {
-                let text = format!("the answer names block {block}, but the program has {blocks}, counted from 0");
+                let text =
+                    format!("the answer names block {block}, but the program has {blocks}; blocks are counted from 0");
                 self.answer = Err(DeviceFault::Garbled(text));
             }
         }

@@ -47,7 +47,8 @@ impl Asked {
         for (key, value) in wire.profile {
             let Some(name) = key.strip_prefix("compensation.") else { continue };
             // Every parameter is a string on the line; a count is a number in a record.
-            let count = value.as_str().filter(|_| name == "non-moving-allowed").and_then(|text| text.parse::<u64>().ok());
+            let count =
+                value.as_str().filter(|_| name == "non-moving-allowed").and_then(|text| text.parse::<u64>().ok());
             own.insert(name.to_owned(), count.map_or(value, Value::from));
         }
         let record: ParametersRecord = serde_json::from_value(Value::Object(own))
