@@ -3,9 +3,12 @@
 use std::fmt;
 
 use radcomp_spec::profile::Profile;
+use radcomp_spec::{Block, Parameters};
+use rug::Rational;
 
+use super::linuxcnc::LinuxCnc;
 use super::pipe::{Limits, Pipe};
-use super::{Builtin, Device};
+use super::{Answer, Builtin, Device, DeviceFault};
 
 /// A device by the name that the command line gives it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,6 +18,24 @@ pub enum DeviceName {
     Builtin,
     /// `pipe:COMMAND`: a shell command that speaks the pipe protocol.
     Pipe(String),
+    /// `linuxcnc`: LinuxCNC's interpreter `rs274`.
+    LinuxCnc,
+}
+
+/// A device that could not be opened, and says so to every program.
+struct Absent {
+    name: &'static str,
+    reason: String,
+}
+
+impl Device for Absent {
+    fn name(&self) -> &str {
+        self.name
+    }
+
+    fn answer(&mut self, _: &Parameters, _: &[Block<Rational>]) -> Result<Answer, DeviceFault> {
+        Err(DeviceFault::NoAnswer(self.reason.clone()))
+    }
 }
 
 /// A name that is no device's.
@@ -36,6 +57,7 @@ impl DeviceName {
     pub fn parse(name: &str) -> Result<DeviceName, DeviceNameError> {
         match name.split_once(':') {
             None if name == "builtin" => Ok(DeviceName::Builtin),
+            None if name == "linuxcnc" => Ok(DeviceName::LinuxCnc),
             Some(("pipe", command)) if command.trim().is_empty() => Err(DeviceNameError::NoCommand),
             Some(("pipe", command)) => Ok(DeviceName::Pipe(command.to_owned())),
             _ => Err(DeviceNameError::Unknown(name.to_owned())),
@@ -47,6 +69,10 @@ impl DeviceName {
         match self {
             DeviceName::Builtin => Box::new(Builtin),
             DeviceName::Pipe(command) => Box::new(Pipe::shell(command, control, limits)),
+            DeviceName::LinuxCnc => match LinuxCnc::open(control, limits) {
+                Ok(device) => Box::new(device),
+                Err(error) => Box::new(Absent { name: "linuxcnc", reason: error.to_string() }),
+            },
         }
     }
 }
@@ -55,7 +81,7 @@ impl fmt::Display for DeviceNameError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             DeviceNameError::Unknown(name) => {
-                write!(f, "there is no device {name}; a device is builtin or pipe:COMMAND")
+                write!(f, "there is no device {name}; a device is builtin, pipe:COMMAND or linuxcnc")
             }
             DeviceNameError::NoCommand => {
                 write!(f, "pipe: needs a command, such as \"pipe:python3 adapter.py\"")

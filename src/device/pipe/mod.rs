@@ -4,20 +4,22 @@
 //! started again, and the requests that were in flight are asked again one at a time: the guilty one alone is charged.
 //! Ids are not consecutive, so that an answer for a neighbour is seen for what it is.
 
+mod dialect;
+mod ending;
 pub(crate) mod process;
 
 use std::collections::VecDeque;
 use std::ffi::OsString;
-use std::os::unix::process::ExitStatusExt;
-use std::process::ExitStatus;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use radcomp_spec::profile::Profile;
 use radcomp_spec::{Block, Parameters};
 use rug::Rational;
 
-use super::wire::{ProfileRecord, Reply, request};
+use super::wire::Reply;
 use super::{Answer, Device, DeviceFault};
+pub(crate) use dialect::Dialect;
+use dialect::JsonLines;
 use process::{Event, Process};
 
 /// What a device process may cost.
@@ -41,7 +43,8 @@ impl Default for Limits {
 pub struct Pipe {
     name: String,
     words: Vec<OsString>,
-    control: Profile,
+    environment: Vec<(OsString, OsString)>,
+    dialect: Box<dyn Dialect>,
     limits: Limits,
     process: Option<Process>,
     /// How many requests have been made.
@@ -71,9 +74,20 @@ impl Pipe {
         Pipe::new(format!("pipe:{command}"), ["sh", "-c", command].map(OsString::from).to_vec(), control, limits)
     }
 
-    /// A device that is a program with its arguments.
+    /// A device that is a program with its arguments and speaks the pipe protocol.
     pub fn new(name: String, words: Vec<OsString>, control: &Profile, limits: Limits) -> Pipe {
-        Pipe { name, words, control: control.clone(), limits, process: None, asked: 0 }
+        Pipe::speaking(Box::new(JsonLines::new(control)), name, words, Vec::new(), limits)
+    }
+
+    /// A device that speaks otherwise, with what its environment has beside this process's.
+    pub(crate) fn speaking(
+        dialect: Box<dyn Dialect>,
+        name: String,
+        words: Vec<OsString>,
+        environment: Vec<(OsString, OsString)>,
+        limits: Limits,
+    ) -> Pipe {
+        Pipe { name, words, environment, dialect, limits, process: None, asked: 0 }
     }
 
     /// Asks the questions with these indices, so many at a time, and notes each result.
@@ -85,11 +99,15 @@ impl Pipe {
         results: &mut [Option<Result<Answer, DeviceFault>>],
     ) -> Result<(), Trouble> {
         let mut waiting = VecDeque::new();
+        let mut deadline = Instant::now() + self.limits.timeout;
         while !indices.is_empty() || !waiting.is_empty() {
             let process = match &self.process {
                 Some(process) => process,
-                None => match Process::start(&self.words, &[], self.limits.most_bytes) {
-                    Ok(process) => self.process.insert(process),
+                None => match Process::start(&self.words, &self.environment, self.limits.most_bytes) {
+                    Ok(process) => {
+                        self.dialect.restart();
+                        self.process.insert(process)
+                    }
                     Err(error) => {
                         let fault = DeviceFault::NoAnswer(format!("the device does not start: {error}"));
                         return Err(Trouble { unanswered: indices.pop_front().into_iter().collect(), fault });
@@ -102,10 +120,14 @@ impl Pipe {
                 process.write(questions[index].line.clone());
                 waiting.push_back(index);
             }
-            let fault = match process.listen(self.limits.timeout) {
-                Event::Line(line) => match Reply::read(&line) {
-                    Ok(reply) => match note(reply, questions, &mut waiting, results) {
-                        Ok(()) => continue,
+            let fault = match process.listen(deadline.saturating_duration_since(Instant::now())) {
+                Event::Line(line) => match self.dialect.read(&line) {
+                    Ok(None) => continue,
+                    Ok(Some(reply)) => match note(reply, questions, &mut waiting, results) {
+                        Ok(()) => {
+                            deadline = Instant::now() + self.limits.timeout;
+                            continue;
+                        }
                         Err(fault) => fault,
                     },
                     Err(error) => DeviceFault::Garbled(error.0),
@@ -124,21 +146,8 @@ impl Pipe {
 
     /// Why the device's output has ended.
     fn ending(&mut self, bytes: usize) -> DeviceFault {
-        let Some(process) = &mut self.process else { return DeviceFault::NoAnswer("the device has ended".to_owned()) };
-        let half = if bytes == 0 { "" } else { "; its last line is not complete" };
-        match process.wait(Duration::from_millis(500)) {
-            None => DeviceFault::NoAnswer(format!("the device closed its standard output{half}")),
-            Some(status) if status.success() => {
-                DeviceFault::NoAnswer(format!("the device ended, exit status 0, without answering{half}"))
-            }
-            Some(status) => {
-                let words = match &*process.last_words() {
-                    "" => String::new(),
-                    words => format!("; it said: {words}"),
-                };
-                DeviceFault::Crash(format!("the device ended with {}{half}{words}", told(status)))
-            }
-        }
+        let ended = || DeviceFault::NoAnswer("the device has ended".to_owned());
+        self.process.as_mut().map_or_else(ended, |process| ending::ending(process, bytes))
     }
 
     /// Ends the process, and adds what it left unfinished to the fault.
@@ -168,13 +177,13 @@ impl Device for Pipe {
         parameters: &Parameters,
         programs: &[Vec<Block<Rational>>],
     ) -> Vec<Result<Answer, DeviceFault>> {
-        let profile = ProfileRecord::new(&self.control, parameters);
+        self.dialect.begin(parameters);
         let mut results: Vec<Option<Result<Answer, DeviceFault>>> = Vec::with_capacity(programs.len());
         let mut questions = Vec::with_capacity(programs.len());
         for blocks in programs {
             self.asked += ID_STEP;
             let id = self.asked.to_string();
-            let (line, refused) = match request(&id, &self.control, &profile, blocks) {
+            let (line, refused) = match self.dialect.question(&id, blocks) {
                 Ok(line) => (line, None),
                 Err(fault) => (String::new(), Some(Err(fault))),
             };
@@ -224,28 +233,5 @@ fn note(
             Ok(())
         }
         None => Err(DeviceFault::Garbled(format!("an answer for the id {shown}, which nothing waits for"))),
-    }
-}
-
-/// How a process ended, in words.
-fn told(status: ExitStatus) -> String {
-    const NAMES: [(i32, &str); 6] = [
-        (4, "SIGILL, an illegal instruction"),
-        (6, "SIGABRT, an abort"),
-        (8, "SIGFPE, an arithmetic fault"),
-        (9, "SIGKILL"),
-        (11, "SIGSEGV, a wrong memory access"),
-        (15, "SIGTERM"),
-    ];
-    let name = |signal: i32| {
-        let known = NAMES.iter().find(|(number, _)| *number == signal);
-        known.map_or_else(|| format!("signal {signal}"), |(_, name)| (*name).to_owned())
-    };
-    match (status.signal(), status.code()) {
-        (Some(signal), _) => name(signal),
-        // A shell reports a child's signal so.
-        (None, Some(code @ 129..=159)) => format!("exit status {code}: {}", name(code - 128)),
-        (None, Some(126 | 127)) => "the shell's complaint that there is no such command".to_owned(),
-        (None, code) => format!("exit status {}", code.unwrap_or_default()),
     }
 }
