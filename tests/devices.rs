@@ -4,6 +4,8 @@
 mod faulty;
 #[path = "devices/kit.rs"]
 mod kit;
+#[path = "devices/linuxcnc.rs"]
+mod linuxcnc;
 #[path = "devices/protocol.rs"]
 mod protocol;
 #[path = "devices/recorded.rs"]

@@ -44,10 +44,18 @@ impl LinuxCnc {
     ///
     /// When the library that widens its numbers cannot be built, or there is no folder for it.
     pub fn open(control: &Profile, limits: Limits) -> io::Result<LinuxCnc> {
+        LinuxCnc::run(env::var_os("RS274").unwrap_or_else(|| "rs274".into()), control, limits)
+    }
+
+    /// The interpreter that this command runs.
+    ///
+    /// # Errors
+    ///
+    /// As [`LinuxCnc::open`].
+    pub fn run(rs274: OsString, control: &Profile, limits: Limits) -> io::Result<LinuxCnc> {
         let folder = tempfile::Builder::new().prefix("radcomp-rs274-").tempdir()?;
         let library = folder.path().join("widen.so");
         fs::write(&library, widener()?)?;
-        let rs274 = env::var_os("RS274").unwrap_or_else(|| "rs274".into());
         // Errors go where the calls go, so that their order is kept; the library is for the interpreter alone.
         let script = "LD_PRELOAD=$RADCOMP_WIDEN exec \"$0\" -t /dev/null -g 2>&1";
         let words = [OsString::from("sh"), "-c".into(), script.into(), rs274].to_vec();
