@@ -4,6 +4,8 @@
 mod faulty;
 #[path = "devices/kit.rs"]
 mod kit;
+#[path = "devices/library.rs"]
+mod library;
 #[path = "devices/linuxcnc.rs"]
 mod linuxcnc;
 #[path = "devices/protocol.rs"]

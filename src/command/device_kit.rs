@@ -11,7 +11,7 @@ use radcomp::device::kit::{self, KitFile};
 use super::failure::{Failure, Verdict};
 use super::terminal;
 
-/// Write a small working adapter to start from, with the schema of the protocol
+/// Write a small working adapter to start from, with the schema or the header it speaks
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -19,7 +19,7 @@ Example:
   radcomp ping \"pipe:python3 my-adapter/adapter.py\"")]
 pub struct DeviceKit {
     /// The language of the adapter
-    #[arg(value_name = "LANGUAGE", value_parser = PossibleValuesParser::new(["python", "rust"]))]
+    #[arg(value_name = "LANGUAGE", value_parser = PossibleValuesParser::new(["python", "c", "rust"]))]
     language: String,
 
     /// The folder to write it into; made if it is not there

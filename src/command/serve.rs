@@ -3,8 +3,9 @@
 use std::io::{self, BufReader};
 
 use clap::Args;
+use radcomp::device::library::Library;
 use radcomp::device::pipe::Limits;
-use radcomp::device::wire;
+use radcomp::device::{DeviceName, wire};
 use radcomp_spec::profile::Profile;
 
 use super::failure::{Failure, Verdict};
@@ -29,7 +30,11 @@ impl Serve {
     /// Answers until the input ends.
     pub fn execute(&self) -> Result<Verdict, Failure> {
         let profile: Profile = options::profile(&self.profile)?;
-        let mut device = device::named(&self.device)?.open(&profile, Limits::default());
+        let mut device = match device::named(&self.device)? {
+            // This process is the one that a library may take down with it.
+            DeviceName::Library(file) => Box::new(Library::load(&file).map_err(Failure::Input)?),
+            name => name.open(&profile, Limits::default()),
+        };
         let input = BufReader::with_capacity(1 << 16, io::stdin());
         match wire::serve(&mut *device, input, io::stdout().lock()) {
             Ok(()) => Ok(Verdict::Green),

@@ -6,6 +6,7 @@
 mod builtin;
 mod fault;
 pub mod kit;
+pub mod library;
 pub mod linuxcnc;
 mod open;
 pub mod ping;

@@ -1,11 +1,13 @@
 //! Devices by name.
 
 use std::fmt;
+use std::path::{Path, PathBuf};
 
 use radcomp_spec::profile::Profile;
 use radcomp_spec::{Block, Parameters};
 use rug::Rational;
 
+use super::library;
 use super::linuxcnc::LinuxCnc;
 use super::pipe::{Limits, Pipe};
 use super::{Answer, Builtin, Device, DeviceFault};
@@ -18,6 +20,8 @@ pub enum DeviceName {
     Builtin,
     /// `pipe:COMMAND`: a shell command that speaks the pipe protocol.
     Pipe(String),
+    /// `lib:FILE`: a shared library with the C interface of `radcomp.h`.
+    Library(PathBuf),
     /// `linuxcnc`: LinuxCNC's interpreter `rs274`.
     LinuxCnc,
 }
@@ -46,6 +50,8 @@ pub enum DeviceNameError {
     Unknown(String),
     /// `pipe:` without a command.
     NoCommand,
+    /// `lib:` without a file, or with one that is not there.
+    NoFile(PathBuf),
 }
 
 impl DeviceName {
@@ -60,6 +66,8 @@ impl DeviceName {
             None if name == "linuxcnc" => Ok(DeviceName::LinuxCnc),
             Some(("pipe", command)) if command.trim().is_empty() => Err(DeviceNameError::NoCommand),
             Some(("pipe", command)) => Ok(DeviceName::Pipe(command.to_owned())),
+            Some(("lib", file)) if !Path::new(file).is_file() => Err(DeviceNameError::NoFile(file.into())),
+            Some(("lib", file)) => Ok(DeviceName::Library(file.into())),
             _ => Err(DeviceNameError::Unknown(name.to_owned())),
         }
     }
@@ -69,6 +77,12 @@ impl DeviceName {
         match self {
             DeviceName::Builtin => Box::new(Builtin),
             DeviceName::Pipe(command) => Box::new(Pipe::shell(command, control, limits)),
+            DeviceName::Library(file) => match std::env::current_exe() {
+                Ok(radcomp) => Box::new(library::hosted(radcomp, file, control, limits)),
+                Err(error) => {
+                    Box::new(Absent { name: "lib", reason: format!("radcomp does not find itself: {error}") })
+                }
+            },
             DeviceName::LinuxCnc => match LinuxCnc::open(control, limits) {
                 Ok(device) => Box::new(device),
                 Err(error) => Box::new(Absent { name: "linuxcnc", reason: error.to_string() }),
@@ -81,10 +95,13 @@ impl fmt::Display for DeviceNameError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             DeviceNameError::Unknown(name) => {
-                write!(f, "there is no device {name}; a device is builtin, pipe:COMMAND or linuxcnc")
+                write!(f, "there is no device {name}; a device is builtin, pipe:COMMAND, lib:FILE or linuxcnc")
             }
             DeviceNameError::NoCommand => {
                 write!(f, "pipe: needs a command, such as \"pipe:python3 adapter.py\"")
+            }
+            DeviceNameError::NoFile(file) => {
+                write!(f, "there is no file {}; lib: needs a shared library, such as lib:./control.so", file.display())
             }
         }
     }

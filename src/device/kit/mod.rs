@@ -9,10 +9,14 @@ pub struct KitFile {
     pub text: &'static str,
 }
 
-/// The files of the adapter in a language: `python` or `rust`; none for another language.
+/// The files of the adapter in a language: `python`, `rust`, or `c`, a shared library; none for another language.
 pub fn files(language: &str) -> Option<&'static [KitFile]> {
     const PROTOCOL: KitFile = KitFile { path: "pipe.schema.json", text: super::wire::SCHEMA };
     const PYTHON: &[KitFile] = &[KitFile { path: "adapter.py", text: include_str!("adapter.py") }, PROTOCOL];
+    const C: &[KitFile] = &[
+        KitFile { path: "device.c", text: include_str!("../../../examples/c/device.c") },
+        KitFile { path: "radcomp.h", text: include_str!("../../../impl/c/include/radcomp.h") },
+    ];
     const RUST: &[KitFile] = &[
         KitFile { path: "Cargo.toml", text: include_str!("rust/Cargo.toml.txt") },
         KitFile { path: "src/main.rs", text: include_str!("rust/main.rs") },
@@ -21,6 +25,7 @@ pub fn files(language: &str) -> Option<&'static [KitFile]> {
     match language {
         "python" => Some(PYTHON),
         "rust" => Some(RUST),
+        "c" => Some(C),
         _ => None,
     }
 }

@@ -59,15 +59,21 @@ impl Asked {
 }
 
 /// The line that answers a request, without its end. What is not finite stands in quotes, where it will be refused.
-pub fn answer_line(id: &str, answer: &Result<Answer, DeviceFault>) -> String {
-    match answer {
-        Err(fault) => json!({ "id": id, "unsupported": fault.to_string() }).to_string(),
+///
+/// # Errors
+///
+/// A fault that is no answer: a device that has it ends.
+pub fn answer_line(id: &str, answer: &Result<Answer, DeviceFault>) -> Result<String, DeviceFault> {
+    let value = match answer {
+        Err(DeviceFault::Unsupported(reason)) => json!({ "id": id, "unsupported": reason }),
+        Err(fault) => return Err(fault.clone()),
         Ok(answer) => {
             let steps: Vec<Value> = answer.steps.iter().map(step).collect();
             let alarm = answer.alarm.map(|alarm| json!({ "block": alarm.block, "alarm": alarm.kind.id() }));
-            json!({ "id": id, "steps": steps, "alarm": alarm }).to_string()
+            json!({ "id": id, "steps": steps, "alarm": alarm })
         }
-    }
+    };
+    Ok(value.to_string())
 }
 
 fn step(step: &Step<f64>) -> Value {
@@ -98,7 +104,7 @@ fn step(step: &Step<f64>) -> Value {
 ///
 /// # Errors
 ///
-/// Those of input and output, and a line that is no request.
+/// Those of input and output, a line that is no request, and a device that gives no answer.
 pub fn serve(device: &mut dyn Device, mut input: impl BufRead, mut output: impl Write) -> io::Result<()> {
     let mut line = Vec::new();
     loop {
@@ -108,7 +114,9 @@ pub fn serve(device: &mut dyn Device, mut input: impl BufRead, mut output: impl 
         }
         let asked = Asked::read(&line).map_err(|text| io::Error::new(io::ErrorKind::InvalidData, text))?;
         let answer = ask(device, &asked.parameters, &asked.blocks);
-        writeln!(output, "{}", answer_line(&asked.id, &answer))?;
+        let line = answer_line(&asked.id, &answer)
+            .map_err(|fault| io::Error::new(io::ErrorKind::InvalidData, fault.text().to_owned()))?;
+        writeln!(output, "{line}")?;
         output.flush()?;
     }
 }
