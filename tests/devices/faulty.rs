@@ -7,7 +7,7 @@ use radcomp::device::pipe::Pipe;
 use super::{RADCOMP, campaign, limits, profile, repository};
 
 /// The first programs of level 1 are enough to find each fault.
-const PROGRAMS: u64 = 600;
+const PROGRAMS: u64 = 300;
 
 fn outcome(fault: &str) -> Outcome {
     let command = format!("exec python3 '{}' {fault} '{RADCOMP}'", repository("tests/devices/faulty.py"));

@@ -52,6 +52,21 @@ fn the_rust_kit_works_as_it_is_written() {
 }
 
 #[test]
+fn the_c_kit_works_as_it_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let written = Command::new(RADCOMP).args(["device-kit", "c", "-o"]).arg(folder.path()).status().unwrap();
+    assert!(written.success());
+    let built = Command::new("cc")
+        .args(["-shared", "-fPIC", "device.c", "-o", "device.so"])
+        .current_dir(folder.path())
+        .status();
+    assert!(built.unwrap().success());
+    let output = Command::new(RADCOMP).args(["ping", "lib:device.so"]).current_dir(folder.path()).output().unwrap();
+    let told = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success() && told.contains("compensation: not supported"), "{told}");
+}
+
+#[test]
 fn the_implementation_is_well() {
     assert_eq!(wrong(&mut Builtin), []);
 }

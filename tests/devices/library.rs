@@ -11,7 +11,7 @@ use radcomp::device::{Builtin, Device};
 
 use super::{RADCOMP, campaign, limits, profile, repository};
 
-const PROGRAMS: u64 = 600;
+const PROGRAMS: u64 = 300;
 
 /// The folder of the C interface, built as a firmware links it: without std.
 static FIRMWARE: LazyLock<PathBuf> = LazyLock::new(|| {
