@@ -42,12 +42,17 @@ fn limits() -> Limits {
 
 /// Judges a device on the beginning of level 1.
 fn campaign<D: Device>(programs: u64, make: impl Fn() -> D + Sync) -> Outcome {
+    campaign_on(2, programs, make)
+}
+
+/// The same, on so many threads.
+fn campaign_on<D: Device>(threads: usize, programs: u64, make: impl Fn() -> D + Sync) -> Outcome {
     let campaign = Campaign {
         profile: profile(),
         seed: 1,
         programs,
         budget: Budget { grade: Grade::Binary64, least_increment: 0.001, delta: 1e-6 },
-        threads: 2,
+        threads,
     };
     certify(&campaign, make, |_| {})
 }

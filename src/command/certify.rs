@@ -22,7 +22,8 @@ use super::terminal;
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Certify {
-    /// The device: builtin, radcomp's own implementation in f64, or pipe:COMMAND, an adapter (see `radcomp ping`)
+    /// The device: builtin (radcomp's own implementation in f64), pipe:COMMAND (an adapter), lib:FILE (a shared
+    /// library) or linuxcnc (rs274); `radcomp ping` tests one
     #[arg(value_name = "DEVICE")]
     device: String,
 
@@ -73,6 +74,7 @@ pub struct Certify {
 const EXAMPLES: &str = "\
 Examples:
   radcomp certify builtin --profile yasnac-lx --level 1
+  radcomp certify 'pipe:python3 adapter.py' --profile seed-mill --timeout 60
   radcomp certify builtin --profile my-control.toml --level 2 --seed 20 --report report.json
 
 Exit status: 0 no red verdict; 1 red verdicts; 2 wrong usage or input.";

@@ -4,14 +4,18 @@ use radcomp::certify::Outcome;
 use radcomp::device::Builtin;
 use radcomp::device::pipe::Pipe;
 
-use super::{RADCOMP, campaign, limits, profile, repository};
+use super::{RADCOMP, campaign, campaign_on, limits, profile, repository};
 
 /// The first programs of level 1 are enough to find each fault.
 const PROGRAMS: u64 = 300;
 
 fn outcome(fault: &str) -> Outcome {
+    outcome_on(2, fault)
+}
+
+fn outcome_on(threads: usize, fault: &str) -> Outcome {
     let command = format!("exec python3 '{}' {fault} '{RADCOMP}'", repository("tests/devices/faulty.py"));
-    campaign(PROGRAMS, || Pipe::shell(&command, &profile(), limits()))
+    campaign_on(threads, PROGRAMS, || Pipe::shell(&command, &profile(), limits()))
 }
 
 /// The fault is found, and every program has been judged all the same.
@@ -81,6 +85,14 @@ fn a_hang() {
 #[test]
 fn a_crash() {
     is_found_alone("crash", "crash");
+}
+
+#[test]
+fn what_is_found_does_not_depend_on_the_number_of_threads() {
+    let [one, three] = [1, 3].map(|threads| outcome_on(threads, "crash"));
+    assert_eq!(one.tally, three.tally);
+    let names = |outcome: Outcome| outcome.failures.iter().map(ToString::to_string).collect::<Vec<_>>();
+    assert_eq!(names(one), names(three));
 }
 
 #[test]
