@@ -35,9 +35,14 @@ fn profile() -> Profile {
     Profile::builtin("seed-mill").expect("built in")
 }
 
-/// Limits that a fast device keeps.
+/// Limits that a device keeps on a machine that does much else.
 fn limits() -> Limits {
-    Limits { timeout: Duration::from_millis(800), most_bytes: 1 << 20, in_flight: 16 }
+    Limits { timeout: Duration::from_secs(30), most_bytes: 1 << 20, in_flight: 16 }
+}
+
+/// Limits for a device that is to hang.
+fn hasty() -> Limits {
+    Limits { timeout: Duration::from_secs(3), ..limits() }
 }
 
 /// Judges a device on the beginning of level 1.

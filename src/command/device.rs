@@ -22,6 +22,9 @@ pub fn knock(name: &DeviceName, profile: &Profile, limits: Limits) -> Result<(),
     let program = [Block::moving(Movement::Line { end })];
     match ask(&mut *name.open(profile, limits), &profile.parameters, &program) {
         Ok(_) | Err(DeviceFault::Unsupported(_)) => Ok(()),
+        Err(fault) if *name == DeviceName::LinuxCnc => Err(Failure::Input(format!(
+            "rs274, LinuxCNC's interpreter, does not answer\n{fault}\nit is looked for on PATH and in $RS274; scripts/linuxcnc fetches Debian's"
+        ))),
         Err(fault) => Err(Failure::Input(format!(
             "the device does not answer a program of one straight move\n{fault}\n`radcomp ping` tests a device piece by piece"
         ))),

@@ -118,7 +118,7 @@ def not_a_number(request, answer):
 
 
 def hang(request, answer):
-    if one_in(request, 150):
+    if one_in(request, 200):
         time.sleep(3600)
 
 

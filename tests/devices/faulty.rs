@@ -4,7 +4,7 @@ use radcomp::certify::Outcome;
 use radcomp::device::Builtin;
 use radcomp::device::pipe::Pipe;
 
-use super::{RADCOMP, campaign, campaign_on, limits, profile, repository};
+use super::{RADCOMP, campaign, campaign_on, hasty, limits, profile, repository};
 
 /// The first programs of level 1 are enough to find each fault.
 const PROGRAMS: u64 = 300;
@@ -15,7 +15,9 @@ fn outcome(fault: &str) -> Outcome {
 
 fn outcome_on(threads: usize, fault: &str) -> Outcome {
     let command = format!("exec python3 '{}' {fault} '{RADCOMP}'", repository("tests/devices/faulty.py"));
-    campaign_on(threads, PROGRAMS, || Pipe::shell(&command, &profile(), limits()))
+    campaign_on(threads, PROGRAMS, || {
+        Pipe::shell(&command, &profile(), if fault == "hang" { hasty() } else { limits() })
+    })
 }
 
 /// The fault is found, and every program has been judged all the same.

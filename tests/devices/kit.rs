@@ -6,7 +6,7 @@ use radcomp::device::ping::{Finding, ping};
 use radcomp::device::pipe::Pipe;
 use radcomp::device::{Builtin, Device};
 
-use super::{RADCOMP, limits, profile, repository};
+use super::{RADCOMP, hasty, limits, profile, repository};
 
 fn wrong(device: &mut dyn Device) -> Vec<Finding> {
     ping(device, &profile()).into_iter().filter(|finding| finding.result.is_err()).collect()
@@ -15,7 +15,8 @@ fn wrong(device: &mut dyn Device) -> Vec<Finding> {
 /// What ping says of a device with a fault of `clumsy.py`.
 fn told(fault: &str) -> String {
     let command = format!("exec python3 '{}' {fault}", repository("tests/devices/clumsy.py"));
-    let findings = wrong(&mut Pipe::shell(&command, &profile(), limits()));
+    let limits = if fault == "silent" { hasty() } else { limits() };
+    let findings = wrong(&mut Pipe::shell(&command, &profile(), limits));
     findings.into_iter().filter_map(|finding| finding.result.err()).collect::<Vec<_>>().join("\n")
 }
 
@@ -87,7 +88,7 @@ fn ping_says_in_plain_words_what_is_wrong() {
         ("ignores", "compensation was not switched on"),
         ("forgetful", "is answered otherwise when it is asked again, alone"),
         ("log", "messages belong on the standard error output"),
-        ("silent", "no answer within 0.8 s"),
+        ("silent", "no answer within 3 s"),
     ] {
         let told = told(fault);
         assert!(told.contains(words), "{fault}: {told}");

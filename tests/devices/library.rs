@@ -9,7 +9,7 @@ use radcomp::device::library::{Library, hosted};
 use radcomp::device::ping::ping;
 use radcomp::device::{Builtin, Device};
 
-use super::{RADCOMP, campaign, limits, profile, repository};
+use super::{RADCOMP, campaign, hasty, limits, profile, repository};
 
 const PROGRAMS: u64 = 300;
 
@@ -46,7 +46,8 @@ fn archive() -> String {
 }
 
 fn outcome(library: &Path) -> Outcome {
-    campaign(PROGRAMS, || hosted(RADCOMP.into(), library, &profile(), limits()))
+    let limits = if library.ends_with("HANG.so") { hasty() } else { limits() };
+    campaign(PROGRAMS, || hosted(RADCOMP.into(), library, &profile(), limits))
 }
 
 fn faulty(fault: &str) -> PathBuf {
