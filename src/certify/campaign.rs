@@ -13,9 +13,9 @@ use super::failure::Failure;
 use super::safety::Safety;
 use super::tally::Tally;
 use crate::boundary::{self, Triple};
-use crate::device::Device;
+use crate::device::{Device, DeviceFault};
 use crate::generate::{self, Reach};
-use crate::judge::{Budget, Judged, judge};
+use crate::judge::{Budget, Judged, Verdict, judge, judge_answer};
 use crate::metamorphic::{self, Broken};
 use crate::minimise::minimise;
 use crate::report::{self, Cases};
@@ -77,7 +77,7 @@ const MOST_GROUPS: usize = 8;
 /// One program in so many is also moved, mirrored, scaled, rotated and split; each costs about fifteen answers.
 const MOVED_ONE_IN: u64 = 32;
 /// One triple of every decision for so many generated programs.
-const TRIPLE_ONE_IN: u64 = 400;
+pub(super) const TRIPLE_ONE_IN: u64 = 400;
 /// How many programs a thread takes at a time.
 const CHUNK: u64 = 60;
 
@@ -133,9 +133,9 @@ fn judge_chunk(campaign: &Campaign, device: &mut impl Device, from: u64, to: u64
     let (tally, cases) = (Tally::default(), Cases::default());
     let mut part = Part { from, tally, failures: Vec::new(), broken: Vec::new(), cases };
     let reach = Reach::of(&campaign.profile);
-    for number in from..to {
-        let blocks = generate::program(campaign.seed, number, reach);
-        let judged = judge_one(campaign, device, &blocks);
+    let programs: Vec<_> = (from..to).map(|number| generate::program(campaign.seed, number, reach)).collect();
+    let judged = judge_all(campaign, device, &programs);
+    for ((number, blocks), judged) in (from..to).zip(programs).zip(judged) {
         part.tally.add(&blocks, &judged, campaign.budget.beta(&blocks));
         part.cases.extend(case_of(campaign, &format!("#{number}"), &blocks, &judged));
         if judged.verdict.is_red() {
@@ -154,30 +154,63 @@ fn judge_one(campaign: &Campaign, device: &mut impl Device, blocks: &[Block<Rati
     judge(device, &campaign.profile.parameters, blocks, &campaign.budget)
 }
 
-fn case_of(campaign: &Campaign, name: &str, blocks: &[Block<Rational>], judged: &Judged) -> Option<report::Case> {
+/// Judges several programs, which a device may work on at the same time.
+fn judge_all(campaign: &Campaign, device: &mut impl Device, programs: &[Vec<Block<Rational>>]) -> Vec<Judged> {
+    let parameters = &campaign.profile.parameters;
+    let answers = device.answer_all(parameters, programs);
+    let judged = answers.into_iter().zip(programs);
+    judged.map(|(answer, blocks)| judge_answer(answer, parameters, blocks, &campaign.budget)).collect()
+}
+
+pub(super) fn case_of(
+    campaign: &Campaign,
+    name: &str,
+    blocks: &[Block<Rational>],
+    judged: &Judged,
+) -> Option<report::Case> {
     report::case(name, blocks, judged, &campaign.budget, campaign.budget.beta(blocks))
 }
 
-/// The vectors that were written for this profile without changing its parameters.
 fn judge_vectors(
     campaign: &Campaign,
     device: &mut impl Device,
     outcome: &mut Outcome,
     groups: &mut BTreeMap<String, (u64, Failure)>,
 ) {
+    let named = vector_programs(&campaign.profile);
+    judge_named(campaign, device, named, outcome, groups);
+}
+
+/// The vectors that were written for this profile without changing its parameters.
+pub(super) fn vector_programs(profile: &Profile) -> Vec<(String, Vec<Block<Rational>>)> {
+    let mut named = Vec::new();
     for vector in vectors::all().iter().flatten() {
-        let Ok(profile) = vector.profile() else { continue };
+        let Ok(own) = vector.profile() else { continue };
         // A vector whose parameters are another profile's is none of this campaign's.
-        if profile.parameters != campaign.profile.parameters || profile.machine != campaign.profile.machine {
+        if own.parameters != profile.parameters || own.machine != profile.machine {
             continue;
         }
-        let Ok(Ok(program)) = vector.read(&profile) else { continue };
-        let blocks: Vec<_> = program.blocks.into_iter().map(|read| read.block).collect();
-        let judged = judge_one(campaign, device, &blocks);
+        let Ok(Ok(program)) = vector.read(&own) else { continue };
+        named.push((vector.name.clone(), program.blocks.into_iter().map(|read| read.block).collect()));
+    }
+    named
+}
+
+/// Judges programs that have names.
+fn judge_named(
+    campaign: &Campaign,
+    device: &mut impl Device,
+    named: Vec<(String, Vec<Block<Rational>>)>,
+    outcome: &mut Outcome,
+    groups: &mut BTreeMap<String, (u64, Failure)>,
+) {
+    let (names, programs): (Vec<_>, Vec<_>) = named.into_iter().unzip();
+    let judged = judge_all(campaign, device, &programs);
+    for ((name, blocks), judged) in names.into_iter().zip(programs).zip(judged) {
         outcome.tally.add(&blocks, &judged, campaign.budget.beta(&blocks));
-        outcome.cases.extend(case_of(campaign, &vector.name, &blocks, &judged));
+        outcome.cases.extend(case_of(campaign, &name, &blocks, &judged));
         if judged.verdict.is_red() {
-            note(Failure::new(vector.name.clone(), judged.verdict, blocks), outcome, groups);
+            note(Failure::new(name, judged.verdict, blocks), outcome, groups);
         }
     }
 }
@@ -190,20 +223,21 @@ fn judge_boundaries(
     groups: &mut BTreeMap<String, (u64, Failure)>,
 ) {
     let count = campaign.programs / TRIPLE_ONE_IN;
-    for triple in boundary::all(campaign.seed, count, Reach::of(&campaign.profile)) {
-        for (place, blocks) in Triple::NAMES.iter().zip(triple.programs) {
-            let judged = judge_one(campaign, device, &blocks);
-            outcome.tally.add(&blocks, &judged, campaign.budget.beta(&blocks));
-            let name = format!("boundary {} {place} ({})", triple.kind.id(), triple.family);
-            outcome.cases.extend(case_of(campaign, &name, &blocks, &judged));
-            if judged.verdict.is_red() {
-                note(Failure::new(name, judged.verdict, blocks), outcome, groups);
-            }
-        }
+    let mut triples = boundary::all(campaign.seed, count, Reach::of(&campaign.profile)).peekable();
+    while triples.peek().is_some() {
+        let named = triples.by_ref().take(CHUNK as usize / 3).flat_map(boundary_programs).collect();
+        judge_named(campaign, device, named, outcome, groups);
     }
 }
 
-fn note(failure: Failure, outcome: &mut Outcome, groups: &mut BTreeMap<String, (u64, Failure)>) {
+/// The three programs of a triple, with their names.
+pub(super) fn boundary_programs(triple: Triple) -> Vec<(String, Vec<Block<Rational>>)> {
+    let name = |place| format!("boundary {} {place} ({})", triple.kind.id(), triple.family);
+    Triple::NAMES.iter().map(name).zip(triple.programs).collect()
+}
+
+/// Counts a failure with those of its cause.
+pub(super) fn note(failure: Failure, outcome: &mut Outcome, groups: &mut BTreeMap<String, (u64, Failure)>) {
     let (count, smallest) = groups.entry(failure.group()).or_insert_with(|| (0, failure.clone()));
     *count += 1;
     if failure.blocks.len() < smallest.blocks.len() {
@@ -223,6 +257,10 @@ fn smallest(
     let mut groups: Vec<_> = groups.into_iter().map(|(name, (count, failure))| (name, count, failure)).collect();
     groups.sort_by(|x, y| y.1.cmp(&x.1).then_with(|| x.0.cmp(&y.0)));
     for (name, _, failure) in groups.iter_mut().take(MOST_GROUPS) {
+        // Each smaller program would have to be waited for.
+        if matches!(failure.verdict, Verdict::Fault(DeviceFault::Timeout(_))) {
+            continue;
+        }
         // A smaller program counts only if it can be written for the profile and fails in the same way.
         let mut same = |blocks: &[Block<Rational>]| {
             let verdict = judge_one(campaign, device, blocks).verdict;

@@ -50,7 +50,7 @@ impl fmt::Display for Failure {
         write!(f, "{} {}", self.name, self.verdict.id())?;
         match &self.verdict {
             Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence) => write!(f, " {}", Told(divergence)),
-            Verdict::Fault(crate::device::DeviceFault::Crash(text)) => write!(f, ": {text}"),
+            Verdict::Fault(fault) => write!(f, ": {}", fault.text()),
             Verdict::Exact | Verdict::Admissible(_) | Verdict::AdmissibleWithoutWitness(_) => Ok(()),
         }
     }

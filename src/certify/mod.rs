@@ -2,10 +2,14 @@
 
 mod campaign;
 mod failure;
+mod programs;
+mod recorded;
 mod safety;
 mod tally;
 
 pub use campaign::{Campaign, Level, Outcome, certify};
 pub use failure::Failure;
+pub use programs::programs;
+pub use recorded::Recorded;
 pub use safety::Safety;
 pub use tally::{ClauseTally, Tally};

@@ -60,11 +60,11 @@ impl Tally {
             self.greatest_share = self.greatest_share.max(witness.beta / beta);
         }
         let used = self.add_run(&judged.exact);
-        let red = judged.verdict.is_red();
+        let passed = judged.verdict.is_green();
         for clause in used {
             let tally = self.clauses.entry(clause.id()).or_default();
             tally.programs += 1;
-            tally.passed += u64::from(!red);
+            tally.passed += u64::from(passed);
         }
         if let Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence) = &judged.verdict {
             self.clauses.entry(divergence.clause.id()).or_default().failed += 1;
@@ -123,8 +123,8 @@ impl Tally {
 
     /// Programs that the device failed, and relations that it broke.
     pub fn red(&self) -> u64 {
-        let green = ["exact", "admissible", "admissible-without-witness"];
-        let failed: u64 = self.verdicts.iter().filter(|(id, _)| !green.contains(id)).map(|(_, count)| count).sum();
+        let not_red = ["exact", "admissible", "admissible-without-witness", "unsupported"];
+        let failed: u64 = self.verdicts.iter().filter(|(id, _)| !not_red.contains(id)).map(|(_, count)| count).sum();
         failed + self.broken
     }
 
@@ -133,6 +133,11 @@ impl Tally {
     pub fn needed_share(&self) -> Option<f64> {
         let bare = self.verdicts.get("admissible-without-witness").is_some_and(|count| *count > 0);
         (self.red() == 0).then_some(if bare { 1.0 } else { self.greatest_share })
+    }
+
+    /// Programs that the device says it does not support: neither failed nor passed.
+    pub fn unsupported(&self) -> u64 {
+        self.verdicts.get("unsupported").copied().unwrap_or_default()
     }
 
     /// Kinds of decisions that were never taken on one of their sides, with the side.

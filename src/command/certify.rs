@@ -8,12 +8,12 @@ use std::thread;
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use radcomp::certify::{Campaign, Failure as Failed, Level, Outcome, certify};
-use radcomp::device::Builtin;
 use radcomp::explain::first_sentence;
 use radcomp::judge::{Budget, Grade, Verdict as Judgement};
 use radcomp::report::{BrokenRecord, Cause, Head, Report};
 use radcomp_spec::profile::Profile;
 
+use super::device::{self, DeviceLimits};
 use super::failure::{Failure, Verdict};
 use super::options;
 use super::terminal;
@@ -22,9 +22,17 @@ use super::terminal;
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Certify {
-    /// The device; builtin is radcomp's own implementation in f64
-    #[arg(value_name = "DEVICE", value_parser = ["builtin"])]
+    /// The device: builtin (radcomp's own implementation in f64), pipe:COMMAND (an adapter), lib:FILE (a shared
+    /// library) or linuxcnc (rs274); `radcomp ping` tests one
+    #[arg(value_name = "DEVICE")]
     device: String,
+
+    #[command(flatten)]
+    limits: DeviceLimits,
+
+    /// Do not fail for programs that the device says it does not support
+    #[arg(long)]
+    allow_unsupported: bool,
 
     /// The control: a built-in profile (see `radcomp profiles`) or a profile file
     #[arg(long, short, value_name = "NAME|FILE.toml")]
@@ -66,6 +74,7 @@ pub struct Certify {
 const EXAMPLES: &str = "\
 Examples:
   radcomp certify builtin --profile yasnac-lx --level 1
+  radcomp certify 'pipe:python3 adapter.py' --profile seed-mill --timeout 60
   radcomp certify builtin --profile my-control.toml --level 2 --seed 20 --report report.json
 
 Exit status: 0 no red verdict; 1 red verdicts; 2 wrong usage or input.";
@@ -78,7 +87,8 @@ enum GradeName {
     Resolution,
 }
 
-fn delta(text: &str) -> Result<f64, String> {
+/// A length in millimetres, greater than 0.
+pub(super) fn delta(text: &str) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| "a decimal number of millimetres".to_owned())?;
     if value.is_finite() && value > 0.0 { Ok(value) } else { Err("a length greater than 0".to_owned()) }
 }
@@ -90,6 +100,8 @@ impl Certify {
     /// Runs the campaign.
     pub fn execute(self) -> Result<Verdict, Failure> {
         let campaign = self.campaign()?;
+        let name = device::named(&self.device)?;
+        device::knock(&name, &campaign.profile, self.limits.limits())?;
         let mut out = terminal::output();
         writeln!(out, "certify {}, profile {}, level {}", self.device, campaign.profile.name, self.level)?;
         let grade = match campaign.budget.grade {
@@ -103,9 +115,10 @@ impl Certify {
         )?;
         out.flush()?;
         let bar = progress_bar(campaign.programs);
-        let outcome = certify(&campaign, || Builtin, |done| bar.inc(done));
+        let make = || name.open(&campaign.profile, self.limits.limits());
+        let outcome = certify(&campaign, make, |done| bar.inc(done));
         bar.finish_and_clear();
-        print(&mut out, &outcome, &campaign.profile)?;
+        print(&mut out, &outcome, &campaign.profile, self.allow_unsupported)?;
         out.flush()?;
         if let Some(path) = &self.report {
             let unwritable = |reason| Failure::Input(format!("{} cannot be written: {reason}", path.display()));
@@ -115,7 +128,7 @@ impl Certify {
         if let Some(folder) = &self.counterexamples {
             write_counterexamples(folder, &outcome, &campaign.profile)?;
         }
-        Ok(if outcome.tally.red() == 0 { Verdict::Green } else { Verdict::Red })
+        Ok(if is_pass(&outcome, self.allow_unsupported) { Verdict::Green } else { Verdict::Red })
     }
 
     fn campaign(&self) -> Result<Campaign, Failure> {
@@ -158,7 +171,19 @@ fn progress_bar(programs: u64) -> ProgressBar {
     bar
 }
 
-fn print(out: &mut dyn Write, outcome: &Outcome, profile: &Profile) -> Result<(), Failure> {
+/// Whether a device has passed. One that supports nothing has not.
+pub(super) fn is_pass(outcome: &Outcome, allow_unsupported: bool) -> bool {
+    let tally = &outcome.tally;
+    tally.red() == 0 && (tally.unsupported() == 0 || (allow_unsupported && tally.unsupported() < tally.programs))
+}
+
+/// Prints what came of a campaign.
+pub(super) fn print(
+    out: &mut dyn Write,
+    outcome: &Outcome,
+    profile: &Profile,
+    allow_unsupported: bool,
+) -> Result<(), Failure> {
     for failure in outcome.failures.iter().take(MOST_LINES) {
         writeln!(out, "{} {failure}", terminal::bold("FAIL"))?;
     }
@@ -208,6 +233,7 @@ fn print(out: &mut dyn Write, outcome: &Outcome, profile: &Profile) -> Result<()
         let note = match *verdict {
             "admissible" => " (the exact outcome of an input within β: a witness)",
             "admissible-without-witness" => " (another branch within the band)",
+            "unsupported" => " (neither failed nor passed)",
             _ => "",
         };
         writeln!(out, "  {verdict}: {count}{note}")?;
@@ -215,7 +241,11 @@ fn print(out: &mut dyn Write, outcome: &Outcome, profile: &Profile) -> Result<()
     if let Some(share) = tally.needed_share() {
         writeln!(out, "would pass with {share:.3e} of the band β as well, and with no smaller share")?;
     }
-    let verdict = if red == 0 { "PASS" } else { "RED" };
+    let verdict = match is_pass(outcome, allow_unsupported) {
+        true => "PASS",
+        false if red == 0 => "INCOMPLETE: the device does not support every program (--allow-unsupported accepts that)",
+        false => "RED",
+    };
     writeln!(out, "{}", terminal::bold(verdict))?;
     Ok(())
 }

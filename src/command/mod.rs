@@ -2,19 +2,25 @@
 
 mod alarm;
 mod certify;
+mod check;
 mod clause;
 mod completions;
+mod device;
+mod device_kit;
 mod explain;
 mod failure;
+mod r#gen;
 mod ledger;
 mod nearest;
 mod options;
+mod ping;
 mod plot;
 mod profiles;
 mod program;
 mod promote;
 mod run;
 mod safety;
+mod serve;
 mod terminal;
 mod verify_witness;
 
@@ -38,6 +44,8 @@ Examples:
   radcomp explain examples/first.nc --profile seed-mill --tools examples/tools.toml --block 40
   radcomp plot examples/first.nc --profile seed-mill --tools examples/tools.toml -o first.svg
   radcomp certify builtin --profile yasnac-lx --level 1
+  radcomp device-kit python
+  radcomp ping \"pipe:python3 adapter.py\"
   radcomp verify-witness report.json
   radcomp profiles yasnac-lx
   radcomp clause TRC-CORNER-08
@@ -53,6 +61,11 @@ enum Command {
     Safety(safety::Safety),
     Profiles(profiles::Profiles),
     Certify(certify::Certify),
+    Ping(ping::Ping),
+    DeviceKit(device_kit::DeviceKit),
+    Gen(r#gen::Gen),
+    Check(check::Check),
+    Serve(serve::Serve),
     VerifyWitness(verify_witness::VerifyWitness),
     Promote(promote::Promote),
     Clause(clause::Clauses),
@@ -68,6 +81,11 @@ pub fn main() -> ExitCode {
         Command::Safety(command) => command.execute(),
         Command::Profiles(command) => command.execute(),
         Command::Certify(command) => command.execute(),
+        Command::Ping(command) => command.execute(),
+        Command::DeviceKit(command) => command.execute(),
+        Command::Gen(command) => command.execute(),
+        Command::Check(command) => command.execute(),
+        Command::Serve(command) => command.execute(),
         Command::VerifyWitness(command) => command.execute(),
         Command::Promote(command) => command.execute(),
         Command::Clause(command) => command.execute(),

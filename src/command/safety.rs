@@ -136,7 +136,7 @@ fn exact(control: &Control, blocks: &[radcomp_spec::Block<rug::Rational>]) -> Re
 }
 
 fn fault(fault: DeviceFault) -> Failure {
-    Failure::Input(format!("the implementation gave no answer: {fault:?}"))
+    Failure::Input(format!("the implementation gave no answer: {fault}"))
 }
 
 /// What a finding that is not safe says, in words.

@@ -1,8 +1,23 @@
 //! Devices under test.
+//!
+//! A [`Device`] answers programs. What it cannot answer is a [`DeviceFault`], which costs the one program: the next one
+//! may be asked all the same. [`DeviceName`] makes a device of the name that the command line gives it.
 
 mod builtin;
+mod fault;
+pub mod kit;
+pub mod library;
+pub mod linuxcnc;
+mod open;
+pub mod ping;
+pub mod pipe;
+pub mod wire;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pub use builtin::{Builtin, round};
+pub use fault::DeviceFault;
+pub use open::{DeviceName, DeviceNameError};
 
 use radcomp_spec::{Alarm, Block, Parameters, Step};
 use rug::Rational;
@@ -16,14 +31,6 @@ pub struct Answer {
     pub alarm: Option<Alarm>,
 }
 
-/// A device that gave no answer, and whose fault that is.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum DeviceFault {
-    /// The device crashed while it worked on the program.
-    Crash(String),
-}
-
 /// An implementation of tool-radius compensation.
 pub trait Device {
     /// The name that reports use.
@@ -35,4 +42,48 @@ pub trait Device {
     ///
     /// A [`DeviceFault`] concerns this program only; the next one may be asked all the same.
     fn answer(&mut self, parameters: &Parameters, blocks: &[Block<Rational>]) -> Result<Answer, DeviceFault>;
+
+    /// The device's answers to several programs, in their order. A device that works on several at a time overrides it.
+    fn answer_all(
+        &mut self,
+        parameters: &Parameters,
+        programs: &[Vec<Block<Rational>>],
+    ) -> Vec<Result<Answer, DeviceFault>> {
+        programs.iter().map(|blocks| ask(self, parameters, blocks)).collect()
+    }
+}
+
+impl<D: Device + ?Sized> Device for Box<D> {
+    fn name(&self) -> &str {
+        (**self).name()
+    }
+
+    fn answer(&mut self, parameters: &Parameters, blocks: &[Block<Rational>]) -> Result<Answer, DeviceFault> {
+        (**self).answer(parameters, blocks)
+    }
+
+    fn answer_all(
+        &mut self,
+        parameters: &Parameters,
+        programs: &[Vec<Block<Rational>>],
+    ) -> Vec<Result<Answer, DeviceFault>> {
+        (**self).answer_all(parameters, programs)
+    }
+}
+
+/// The device's answer; a panic of a device in this process costs this one answer.
+///
+/// # Errors
+///
+/// As [`Device::answer`].
+pub fn ask<D: Device + ?Sized>(
+    device: &mut D,
+    parameters: &Parameters,
+    blocks: &[Block<Rational>],
+) -> Result<Answer, DeviceFault> {
+    catch_unwind(AssertUnwindSafe(|| device.answer(parameters, blocks))).unwrap_or_else(|panic| {
+        let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+        let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
+        Err(DeviceFault::Crash(text.unwrap_or_else(|| "panic".to_owned())))
+    })
 }

@@ -1,7 +1,5 @@
 //! Verdicts.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
 use radcomp_model::{Run, run};
 use radcomp_spec::{Block, Parameters};
 use rug::Rational;
@@ -11,7 +9,7 @@ use super::compare::Divergence;
 use super::fork::{self, Flip, Reception};
 use super::stroke::Tolerance;
 use super::witness::{Search, Witness};
-use crate::device::{Answer, Device, DeviceFault};
+use crate::device::{Answer, Device, DeviceFault, ask};
 
 /// What the judge says of one answer.
 #[derive(Clone, Debug)]
@@ -34,7 +32,12 @@ pub enum Verdict {
 impl Verdict {
     /// Whether the device has failed on this program.
     pub fn is_red(&self) -> bool {
-        !matches!(self, Verdict::Exact | Verdict::Admissible(_) | Verdict::AdmissibleWithoutWitness(_))
+        !self.is_green() && !matches!(self, Verdict::Fault(DeviceFault::Unsupported(_)))
+    }
+
+    /// Whether the device has passed. What it does not support it has neither failed nor passed.
+    pub fn is_green(&self) -> bool {
+        matches!(self, Verdict::Exact | Verdict::Admissible(_) | Verdict::AdmissibleWithoutWitness(_))
     }
 
     /// The name used in reports.
@@ -45,7 +48,7 @@ impl Verdict {
             Verdict::AdmissibleWithoutWitness(_) => "admissible-without-witness",
             Verdict::Inadmissible(_) => "inadmissible",
             Verdict::ForkLimit(_) => "fork-limit",
-            Verdict::Fault(DeviceFault::Crash(_)) => "crash",
+            Verdict::Fault(fault) => fault.id(),
         }
     }
 }
@@ -63,8 +66,18 @@ pub struct Judged {
 
 /// Judges a device's answer to one program.
 pub fn judge(device: &mut dyn Device, parameters: &Parameters, blocks: &[Block<Rational>], budget: &Budget) -> Judged {
+    judge_answer(ask(device, parameters, blocks), parameters, blocks, budget)
+}
+
+/// Judges an answer to one program.
+pub fn judge_answer(
+    answer: Result<Answer, DeviceFault>,
+    parameters: &Parameters,
+    blocks: &[Block<Rational>],
+    budget: &Budget,
+) -> Judged {
     let exact = run(parameters, blocks);
-    match ask(device, parameters, blocks) {
+    match answer {
         Ok(answer) => {
             let verdict = measure(parameters, blocks, &exact, &answer, budget);
             Judged { verdict, exact, answer: Some(answer) }
@@ -108,13 +121,4 @@ fn measure(
         Err(exhausted) if exhausted.limit_hit || exhausted.dead_end => Verdict::ForkLimit(Box::new(divergence)),
         Err(_) => Verdict::Inadmissible(Box::new(divergence)),
     }
-}
-
-/// The device's answer; a panic of a device in this process costs this one answer.
-fn ask(device: &mut dyn Device, parameters: &Parameters, blocks: &[Block<Rational>]) -> Result<Answer, DeviceFault> {
-    catch_unwind(AssertUnwindSafe(|| device.answer(parameters, blocks))).unwrap_or_else(|panic| {
-        let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
-        let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
-        Err(DeviceFault::Crash(text.unwrap_or_else(|| "panic".to_owned())))
-    })
 }

@@ -21,7 +21,7 @@ use radcomp_model::{Run, run};
 use radcomp_spec::{AdvisoryKind, Block, DecisionKind, Parameters, Step};
 use rug::Rational;
 
-use crate::device::{Answer, Device, DeviceFault};
+use crate::device::{Answer, Device, DeviceFault, ask};
 use crate::judge::{Budget, Tolerance, path_difference, rounded};
 
 /// A relation that a device breaks.
@@ -63,7 +63,7 @@ pub fn check(
     if decides_within(&exact, budget.beta(&blocks) * 16.0) || is_sensitive(&exact) {
         return Vec::new();
     }
-    let Ok(answer) = device.answer(parameters, &blocks) else { return Vec::new() };
+    let Ok(answer) = ask(device, parameters, &blocks) else { return Vec::new() };
     let mut broken = Vec::new();
     for motion in motions() {
         let program: Vec<_> = blocks.iter().map(|block| motion.block(block)).collect();
@@ -74,7 +74,7 @@ pub fn check(
         }
         let expected = moved(&answer, &motion);
         let delta = budget.delta * f64::from(motion.scale);
-        let difference = compare(device.answer(&scaled, &program), &expected, delta, true);
+        let difference = compare(ask(device, &scaled, &program), &expected, delta, true);
         broken.extend(difference.map(|difference| Broken { relation: motion.name, program, difference }));
     }
     if let Some(program) = split(&blocks, &exact)
@@ -82,7 +82,7 @@ pub fn check(
         && !runs_backwards(&image)
         && !decides_within(&image, budget.beta(&program) * 16.0)
     {
-        let difference = compare(device.answer(parameters, &program), &answer, budget.delta, false);
+        let difference = compare(ask(device, parameters, &program), &answer, budget.delta, false);
         broken.extend(difference.map(|difference| Broken { relation: "splitting a line", program, difference }));
     }
     broken.extend(check_reversal(device, parameters, &blocks, budget));
@@ -111,7 +111,7 @@ fn check_reversal(
     if differ(&rounded(&exact[0]), &rounded(&exact[1])).is_some() {
         return None;
     }
-    let [there, back] = programs.map(|program| device.answer(parameters, program).ok());
+    let [there, back] = programs.map(|program| ask(device, parameters, program).ok());
     let difference = differ(&there?.steps, &back?.steps)?;
     Some(Broken { relation: "running backwards", program: backward, difference })
 }
@@ -161,7 +161,11 @@ fn moved(answer: &Answer, motion: &Motion) -> Answer {
 
 /// What differs between two answers, in words; with `blocks`, also where each element belongs.
 fn compare(answer: Result<Answer, DeviceFault>, expected: &Answer, delta: f64, blocks: bool) -> Option<String> {
-    let answer = answer.ok()?;
+    let answer = match answer {
+        Ok(answer) => answer,
+        Err(DeviceFault::Unsupported(_)) => return None,
+        Err(fault) => return Some(format!("no answer to the moved program; {fault}")),
+    };
     let kinds = (answer.alarm.map(|alarm| alarm.kind), expected.alarm.map(|alarm| alarm.kind));
     if kinds.0 != kinds.1 {
         return Some(format!("alarm {:?} instead of {:?}", kinds.0, kinds.1));

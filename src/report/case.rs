@@ -10,7 +10,6 @@ use super::answer::{AlarmRecord, AnswerRecord};
 use super::block::BlockRecord;
 use super::number::Binary;
 use super::word::Id;
-use crate::device::DeviceFault;
 use crate::judge::{Budget, Difference, Divergence, Flip, Judged, Verdict};
 
 /// The most cases of failed programs in one report.
@@ -122,7 +121,7 @@ pub fn case(name: &str, blocks: &[Block<Rational>], judged: &Judged, budget: &Bu
         Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence) => {
             case.divergence = Some(DivergenceRecord::from(&**divergence));
         }
-        Verdict::Fault(DeviceFault::Crash(text)) => case.fault = Some(text.clone()),
+        Verdict::Fault(fault) => case.fault = Some(fault.text().to_owned()),
     }
     case.program = records(blocks);
     case.answer = judged.answer.as_ref().map(AnswerRecord::from);

@@ -10,7 +10,7 @@ use super::witness;
 use crate::report::{GradeRecord, Report};
 
 /// The verdicts under which a device has not failed.
-const GREEN: [&str; 3] = ["exact", "admissible", "admissible-without-witness"];
+const GREEN: [&str; 4] = ["exact", "admissible", "admissible-without-witness", "unsupported"];
 
 /// The band that the report's grade gives a program.
 pub(super) fn band(report: &Report, program: &[Block<Rational>]) -> f64 {

@@ -1,0 +1,90 @@
+//! The parameters of a profile as text: a line `name = value` for each, so that the interface stays as it is when there
+//! are more of them.
+
+use radcomp_spec::Parameters;
+use radcomp_spec::parameters::{
+    Cancel, CornerOwner, MOST_NON_MOVING, OuterCorner, Ratio, Reversal, ReversedPath, SideChange,
+    SideChangeAfterStartUp, StartUp, StartUpLost,
+};
+
+/// Every name.
+const NAMES: [&str; 12] = [
+    "start-up",
+    "start-up-lost",
+    "cancel",
+    "outer-corner",
+    "reversal",
+    "side-change",
+    "side-change-after-start-up",
+    "non-moving-allowed",
+    "corner-owner",
+    "reversed-path",
+    "arc-end-tolerance",
+    "far-intersection",
+];
+
+/// The parameters that a text gives: each of the compensation's parameters once, by the names and values of
+/// `spec/PARAMETERS.md`, decimals without quotes. Empty lines are passed over. None if a line is anything else, or a
+/// parameter is missing.
+pub fn parameters(text: &str) -> Option<Parameters> {
+    let mut count = 0;
+    for (name, _) in entries(text) {
+        if !NAMES.contains(&name?) {
+            return None;
+        }
+        count += 1;
+    }
+    // As many as there are, and each is found below: none stands twice.
+    if count != NAMES.len() {
+        return None;
+    }
+    Some(Parameters {
+        start_up: word(text, "start-up", StartUp::VALUES)?,
+        start_up_lost: word(text, "start-up-lost", StartUpLost::VALUES)?,
+        cancel: word(text, "cancel", Cancel::VALUES)?,
+        outer_corner: word(text, "outer-corner", OuterCorner::VALUES)?,
+        reversal: word(text, "reversal", Reversal::VALUES)?,
+        side_change: word(text, "side-change", SideChange::VALUES)?,
+        side_change_after_start_up: word(text, "side-change-after-start-up", SideChangeAfterStartUp::VALUES)?,
+        non_moving_allowed: value(text, "non-moving-allowed")?
+            .parse()
+            .ok()
+            .filter(|count| *count <= MOST_NON_MOVING)?,
+        corner_owner: word(text, "corner-owner", CornerOwner::VALUES)?,
+        reversed_path: word(text, "reversed-path", ReversedPath::VALUES)?,
+        arc_end_tolerance: ratio(value(text, "arc-end-tolerance")?)?,
+        far_intersection: ratio(value(text, "far-intersection")?)?,
+    })
+}
+
+/// Names and values; a name is none where a line has no `=`.
+fn entries(text: &str) -> impl Iterator<Item = (Option<&str>, &str)> {
+    text.lines().map(str::trim).filter(|line| !line.is_empty()).map(|line| match line.split_once('=') {
+        Some((name, value)) => (Some(name.trim()), value.trim()),
+        None => (None, line),
+    })
+}
+
+fn value<'t>(text: &'t str, wanted: &str) -> Option<&'t str> {
+    entries(text).find(|(name, _)| *name == Some(wanted)).map(|(_, value)| value)
+}
+
+fn word<T: Copy>(text: &str, name: &str, values: &[(&str, T)]) -> Option<T> {
+    let id = value(text, name)?;
+    values.iter().find(|(known, _)| *known == id).map(|(_, value)| *value)
+}
+
+/// A decimal such as `0.01`, or a ratio such as `1/3`.
+fn ratio(text: &str) -> Option<Ratio> {
+    if let Some((numerator, denominator)) = text.split_once('/') {
+        let (numerator, denominator) = (numerator.parse().ok()?, denominator.parse().ok()?);
+        return (denominator > 0).then_some(Ratio { numerator, denominator });
+    }
+    let (whole, decimals) = text.split_once('.').unwrap_or((text, ""));
+    let mut numerator = 0_u32;
+    for digit in whole.chars().chain(decimals.chars()) {
+        numerator = numerator.checked_mul(10)?.checked_add(digit.to_digit(10)?)?;
+    }
+    let denominator = 10_u32.checked_pow(u32::try_from(decimals.len()).ok()?)?;
+    (!whole.is_empty()).then_some(Ratio { numerator, denominator })
+}

@@ -1,0 +1,20 @@
+//! The programs of a campaign by name, for devices that cannot be driven.
+
+use radcomp_spec::Block;
+use radcomp_spec::profile::Profile;
+use rug::Rational;
+
+use super::campaign::{TRIPLE_ONE_IN, boundary_programs, vector_programs};
+use crate::boundary;
+use crate::generate::{self, Reach};
+
+/// Every program that a campaign with this seed and so many generated programs judges, each with its name: vectors,
+/// boundary triples, generated programs. One seed gives the same programs on every machine.
+pub fn programs(profile: &Profile, seed: u64, count: u64) -> impl Iterator<Item = (String, Vec<Block<Rational>>)> {
+    let reach = Reach::of(profile);
+    let boundaries = boundary::all(seed, count / TRIPLE_ONE_IN, reach).flat_map(boundary_programs);
+    let generated = (0..count).map(move |number| (format!("#{number}"), generate::program(seed, number, reach)));
+    // Several examples of one clause may share a name, and triples of one family do.
+    let named = vector_programs(profile).into_iter().chain(boundaries).enumerate();
+    named.map(|(index, (name, blocks))| (format!("{index}: {name}"), blocks)).chain(generated)
+}
