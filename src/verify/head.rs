@@ -66,7 +66,8 @@ fn share(report: &Report) -> Option<String> {
     let Some(said) = said else { return Some("the device passes, but the share of the band is not given".to_owned()) };
     let shares = report.cases.iter().map(|case| match (case.verdict.as_str(), case.change_mm) {
         ("admissible", Some(change)) => change.0 / case.beta_mm.0,
-        ("exact", _) => 0.0,
+        // What a witness took is not told: it says nothing here.
+        ("exact" | "admissible" | "unsupported", _) => 0.0,
         _ => 1.0,
     });
     let due = shares.fold(0.0, f64::max);
