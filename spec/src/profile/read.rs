@@ -7,11 +7,9 @@ use toml::de::{DeTable, DeValue};
 
 use super::error::{ProfileError, ProfileErrorKind, shown};
 use super::table::{PARAMETERS, Parameter, Values};
-use super::{BUILTIN, Machine, Profile, Provenance};
-use crate::parameters::{
-    Activation, Cancel, CornerCodes, CornerOwner, Dummy, Measure, OuterCorner, Parameters, Plane, Ratio, Reversal,
-    ReversedPath, SideChange, SideChangeAfterStartUp, StartUp, StartUpLost,
-};
+use super::{AlarmNumber, BUILTIN, Machine, Profile, Provenance};
+use crate::outcome::AlarmKind;
+use crate::parameters::*;
 
 /// Reads a file that is not built in, and so may not pass for one that is.
 pub(super) fn read_foreign(text: &str, file: &str) -> Result<Profile, ProfileError> {
@@ -46,7 +44,7 @@ impl Source<'_> {
             self.error(error.span().unwrap_or_default(), kind)
         })?;
         let root = document.get_ref();
-        self.known(root, "", &["name", "title", "extends", "machine", "activation", "compensation"])?;
+        self.known(root, "", &["name", "title", "extends", "machine", "activation", "compensation", "tips", "alarms"])?;
         let whole = 0..0;
         let name = self.text_of(root, "name", "name", "lower-case letters, digits and hyphens, in quotes", &whole)?;
         let title = self.text_of(root, "title", "title", "a text in quotes", &whole)?;
@@ -59,9 +57,10 @@ impl Source<'_> {
         let place = name.span();
         profile.name = name.into_inner().to_owned();
         profile.title = title.into_inner().to_owned();
-        for table in ["machine", "activation", "compensation"] {
+        for table in ["machine", "activation", "compensation", "tips"] {
             self.table(root, table, &mut profile)?;
         }
+        self.alarms(root, &mut profile)?;
         Ok((profile, place))
     }
 
@@ -102,6 +101,70 @@ impl Source<'_> {
         Ok(())
     }
 
+    /// Reads the table of alarms: each alarm's number with its source, and the list of those that have none.
+    fn alarms(&self, root: &Table<'_>, profile: &mut Profile) -> Result<(), ProfileError> {
+        let numbered = "a table of alarms, each { value = …, source = … }, the others listed in `unnumbered`";
+        let Some(value) = root.get("alarms") else {
+            let inherited = !profile.alarms.is_empty();
+            return if inherited { Ok(()) } else { Err(self.missing(&(0..0), "alarms", numbered)) };
+        };
+        let Some(table) = value.get_ref().as_table() else {
+            return Err(self.wrong(value.span(), "alarms", numbered));
+        };
+        let names: Vec<&str> = AlarmKind::ALL.iter().map(|kind| kind.id()).chain(["unnumbered"]).collect();
+        self.known(table, "alarms", &names)?;
+        let listed = self.unnumbered(table)?;
+        let mut alarms = Vec::new();
+        for kind in AlarmKind::ALL {
+            let key = format!("alarms.{}", kind.id());
+            alarms.push(match (table.get(kind.id()), listed.contains(&kind.id())) {
+                (Some(given), false) => self.alarm(*kind, &key, given)?,
+                (None, true) => AlarmNumber { kind: *kind, number: None, source: String::new() },
+                (Some(given), true) => return Err(self.wrong(given.span(), &key, "numbered or unnumbered, not both")),
+                (None, false) => match profile.alarms.iter().find(|inherited| inherited.kind == *kind) {
+                    Some(inherited) => inherited.clone(),
+                    None => return Err(self.missing(&value.span(), &key, numbered)),
+                },
+            });
+        }
+        profile.alarms = alarms;
+        Ok(())
+    }
+
+    /// The alarms listed as having no number.
+    fn unnumbered(&self, table: &Table<'_>) -> Result<Vec<&'static str>, ProfileError> {
+        let Some(list) = table.get("unnumbered") else { return Ok(Vec::new()) };
+        let kinds = "a list of alarms, in quotes";
+        let entries = list.get_ref().as_array().ok_or_else(|| self.wrong(list.span(), "alarms.unnumbered", kinds))?;
+        let mut listed = Vec::new();
+        for entry in entries {
+            let kind = AlarmKind::ALL.iter().find(|kind| entry.get_ref().as_str() == Some(kind.id()));
+            listed.push(kind.ok_or_else(|| self.wrong(entry.span(), "alarms.unnumbered", kinds))?.id());
+        }
+        Ok(listed)
+    }
+
+    /// Reads one alarm: `{ value = "…", source = "…" }`.
+    fn alarm(&self, kind: AlarmKind, key: &str, given: &Spanned<DeValue<'_>>) -> Result<AlarmNumber, ProfileError> {
+        let form = "{ value = \"the control's number or text\", source = \"D\" }";
+        let table = given.get_ref().as_table().ok_or_else(|| self.wrong(given.span(), key, form))?;
+        self.known(table, key, &["value", "source"])?;
+        let number = self.text_of(table, "value", &format!("{key}.value"), "a text in quotes", &given.span())?;
+        let source = self.source_of(table, key, &given.span())?;
+        Ok(AlarmNumber { kind, number: Some(number.into_inner().to_owned()), source })
+    }
+
+    /// The source tags at the key `source`.
+    fn source_of(&self, table: &Table<'_>, key: &str, place: &Range<usize>) -> Result<String, ProfileError> {
+        let tags = "source tags in quotes, such as \"D\"";
+        let source = self.text_of(table, "source", &format!("{key}.source"), tags, place)?;
+        if !source.get_ref().split(',').all(|tag| is_source_tag(tag.trim())) {
+            let found = shown(&self.text[source.span()]);
+            return Err(self.error(source.span(), ProfileErrorKind::WrongSource { key: key.to_owned(), found }));
+        }
+        Ok(source.into_inner().to_owned())
+    }
+
     /// Reads one parameter: `{ value = …, source = "…", clause = "…" }`.
     fn parameter(
         &self,
@@ -125,12 +188,7 @@ impl Source<'_> {
         let Some(written) = assign(parameter, value.get_ref(), profile) else {
             return Err(self.wrong(value.span(), key, &parameter.allowed()));
         };
-        let tags = "source tags in quotes, such as \"D\"";
-        let source = self.text_of(table, "source", &format!("{key}.source"), tags, &given.span())?;
-        if !source.get_ref().split(',').all(|tag| is_source_tag(tag.trim())) {
-            let found = shown(&self.text[source.span()]);
-            return Err(self.error(source.span(), ProfileErrorKind::WrongSource { key: key.to_owned(), found }));
-        }
+        let source = self.source_of(table, key, &given.span())?;
         let expected = parameter.clause;
         let id = format!("{:?}", expected.id());
         let clause = self.text_of(table, "clause", &format!("{key}.clause"), &id, &given.span())?;
@@ -140,8 +198,7 @@ impl Source<'_> {
                 self.error(clause.span(), ProfileErrorKind::WrongClause { key: key.to_owned(), found, expected })
             );
         }
-        let entry =
-            Provenance { parameter: key, value: written, source: source.into_inner().to_owned(), clause: expected };
+        let entry = Provenance { parameter: key, value: written, source, clause: expected };
         match profile.provenance.iter_mut().find(|entry| entry.parameter == key) {
             Some(inherited) => *inherited = entry,
             None => profile.provenance.push(entry),
@@ -196,10 +253,20 @@ fn assign(parameter: &Parameter, value: &DeValue<'_>, profile: &mut Profile) -> 
             set(profile, word).then(|| word.to_owned())
         }
         Values::Count { most, field } => {
+            if value.as_str() == Some("unbounded") {
+                *field(profile) = None;
+                return Some("unbounded".to_owned());
+            }
             let integer = value.as_integer()?;
             let number = u8::from_str_radix(integer.as_str(), integer.radix()).ok().filter(|number| number <= most)?;
-            *field(profile) = number;
+            *field(profile) = Some(number);
             Some(format!("{number}"))
+        }
+        Values::Cosine { field } => {
+            let text = value.as_str()?;
+            let ratio = parse_ratio(text).filter(|ratio| ratio.numerator <= ratio.denominator)?;
+            *field(profile) = ratio;
+            Some(text.to_owned())
         }
         Values::Decimal { positive, field } => {
             let text = value.as_str()?;
@@ -245,6 +312,14 @@ fn blank() -> Profile {
             dummy: Dummy::None,
             dummy_first_axis: Measure::Radius,
             corner_codes: CornerCodes::None,
+            plane_change: InMode::Unsupported,
+            reference_return: InMode::Unsupported,
+            machine_coordinates: InMode::Unsupported,
+            set_coordinates: InMode::Unsupported,
+            tool_change: ToolChange::Unsupported,
+            canned_cycle: InMode::Unsupported,
+            read_ahead_stop: ReadAheadStop::NoMovement,
+            offset_zero: OffsetZero::Refused,
         },
         activation: [Activation::Absent; 5],
         parameters: Parameters {
@@ -255,12 +330,28 @@ fn blank() -> Profile {
             reversal: Reversal::Alarm,
             side_change: SideChange::Forbidden,
             side_change_after_start_up: SideChangeAfterStartUp::Alarm,
-            non_moving_allowed: 0,
+            non_moving_allowed: Some(0),
             corner_owner: CornerOwner::Next,
             reversed_path: ReversedPath::Alarm,
             arc_end_tolerance: none,
             far_intersection: none,
+            start_up_b: StartUpB::Direct,
+            start_up_without_movement: StartUpWithoutMovement::None,
+            start_up_arc: StartUpArc::Alarm,
+            cancel_without_movement: CancelWithoutMovement::None,
+            corner_limit_cosine: none,
+            arc_extension: ArcExtension::Tangent,
+            smallest_corner_cosine: none,
+            straight_band_cosine: none,
+            arc_on_rapid: ArcOnRapid::Arc,
+            small_vector_limit: none,
+            same_code: SameCode::Alarm,
+            negative_radius: NegativeRadius::Alarm,
+            equal_radius: EqualRadius::Alarm,
+            zero_length_move: ZeroLengthMove::NoMovement,
         },
+        tips: [Tip::Absent; 10],
+        alarms: Vec::new(),
         provenance: Vec::new(),
     }
 }
