@@ -20,7 +20,8 @@ pub struct Block<N> {
     pub corner: Option<crate::OuterCorner>,
     /// A code that stops reading ahead, where the profile says that it breaks the look-ahead ([TRC-LOOK-08]).
     pub stops_look_ahead: bool,
-    /// The alarm of a code in this block that the profile does not allow in mode ([TRC-MODE-08]).
+    /// The alarm of a code in this block that the profile does not allow in mode, if the program is in mode there: the
+    /// alarm is raised at this block ([TRC-MODE-08]).
     pub not_in_mode: Option<crate::AlarmKind>,
 }
 
