@@ -2,7 +2,8 @@
 //!
 //! A profile gives every parameter, with a value, a source tag and the clause that the parameter belongs to. Nothing has
 //! a default: a file that leaves a parameter out is refused, unless it says `extends` and names a built-in profile to
-//! take the rest from. [`PARAMETERS`] is the one table of names, meanings, values and clauses.
+//! take the rest from. [`PARAMETERS`] is the one table of names, meanings, values and clauses. Each alarm has the
+//! control's own number with its source, or is listed as unnumbered.
 //!
 //! ```
 //! use radcomp_spec::profile::Profile;
@@ -18,6 +19,7 @@
 //! # Ok::<(), radcomp_spec::profile::ProfileError>(())
 //! ```
 
+mod alarms;
 #[cfg(test)]
 mod dialects;
 mod error;

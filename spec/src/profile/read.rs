@@ -7,8 +7,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::error::{ProfileError, ProfileErrorKind, shown};
 use super::table::{PARAMETERS, Parameter, Values};
-use super::{AlarmNumber, BUILTIN, Machine, Profile, Provenance};
-use crate::outcome::AlarmKind;
+use super::{BUILTIN, Machine, Profile, Provenance};
 use crate::parameters::*;
 
 /// Reads a file that is not built in, and so may not pass for one that is.
@@ -28,13 +27,13 @@ pub(super) fn read(text: &str, file: &str) -> Result<Profile, ProfileError> {
 }
 
 /// A file that is being read.
-struct Source<'a> {
-    text: &'a str,
+pub(super) struct Source<'a> {
+    pub(super) text: &'a str,
     file: &'a str,
 }
 
 /// A table whose keys and values have places.
-type Table<'a> = DeTable<'a>;
+pub(super) type Table<'a> = DeTable<'a>;
 
 impl Source<'_> {
     /// The profile, and where its name stands.
@@ -101,61 +100,8 @@ impl Source<'_> {
         Ok(())
     }
 
-    /// Reads the table of alarms: each alarm's number with its source, and the list of those that have none.
-    fn alarms(&self, root: &Table<'_>, profile: &mut Profile) -> Result<(), ProfileError> {
-        let numbered = "a table of alarms, each { value = …, source = … }, the others listed in `unnumbered`";
-        let Some(value) = root.get("alarms") else {
-            let inherited = !profile.alarms.is_empty();
-            return if inherited { Ok(()) } else { Err(self.missing(&(0..0), "alarms", numbered)) };
-        };
-        let Some(table) = value.get_ref().as_table() else {
-            return Err(self.wrong(value.span(), "alarms", numbered));
-        };
-        let names: Vec<&str> = AlarmKind::ALL.iter().map(|kind| kind.id()).chain(["unnumbered"]).collect();
-        self.known(table, "alarms", &names)?;
-        let listed = self.unnumbered(table)?;
-        let mut alarms = Vec::new();
-        for kind in AlarmKind::ALL {
-            let key = format!("alarms.{}", kind.id());
-            alarms.push(match (table.get(kind.id()), listed.contains(&kind.id())) {
-                (Some(given), false) => self.alarm(*kind, &key, given)?,
-                (None, true) => AlarmNumber { kind: *kind, number: None, source: String::new() },
-                (Some(given), true) => return Err(self.wrong(given.span(), &key, "numbered or unnumbered, not both")),
-                (None, false) => match profile.alarms.iter().find(|inherited| inherited.kind == *kind) {
-                    Some(inherited) => inherited.clone(),
-                    None => return Err(self.missing(&value.span(), &key, numbered)),
-                },
-            });
-        }
-        profile.alarms = alarms;
-        Ok(())
-    }
-
-    /// The alarms listed as having no number.
-    fn unnumbered(&self, table: &Table<'_>) -> Result<Vec<&'static str>, ProfileError> {
-        let Some(list) = table.get("unnumbered") else { return Ok(Vec::new()) };
-        let kinds = "a list of alarms, in quotes";
-        let entries = list.get_ref().as_array().ok_or_else(|| self.wrong(list.span(), "alarms.unnumbered", kinds))?;
-        let mut listed = Vec::new();
-        for entry in entries {
-            let kind = AlarmKind::ALL.iter().find(|kind| entry.get_ref().as_str() == Some(kind.id()));
-            listed.push(kind.ok_or_else(|| self.wrong(entry.span(), "alarms.unnumbered", kinds))?.id());
-        }
-        Ok(listed)
-    }
-
-    /// Reads one alarm: `{ value = "…", source = "…" }`.
-    fn alarm(&self, kind: AlarmKind, key: &str, given: &Spanned<DeValue<'_>>) -> Result<AlarmNumber, ProfileError> {
-        let form = "{ value = \"the control's number or text\", source = \"D\" }";
-        let table = given.get_ref().as_table().ok_or_else(|| self.wrong(given.span(), key, form))?;
-        self.known(table, key, &["value", "source"])?;
-        let number = self.text_of(table, "value", &format!("{key}.value"), "a text in quotes", &given.span())?;
-        let source = self.source_of(table, key, &given.span())?;
-        Ok(AlarmNumber { kind, number: Some(number.into_inner().to_owned()), source })
-    }
-
     /// The source tags at the key `source`.
-    fn source_of(&self, table: &Table<'_>, key: &str, place: &Range<usize>) -> Result<String, ProfileError> {
+    pub(super) fn source_of(&self, table: &Table<'_>, key: &str, place: &Range<usize>) -> Result<String, ProfileError> {
         let tags = "source tags in quotes, such as \"D\"";
         let source = self.text_of(table, "source", &format!("{key}.source"), tags, place)?;
         if !source.get_ref().split(',').all(|tag| is_source_tag(tag.trim())) {
@@ -207,7 +153,7 @@ impl Source<'_> {
     }
 
     /// Refuses keys other than these; of several the first in the file.
-    fn known(&self, table: &Table<'_>, key: &str, names: &[&str]) -> Result<(), ProfileError> {
+    pub(super) fn known(&self, table: &Table<'_>, key: &str, names: &[&str]) -> Result<(), ProfileError> {
         let unknown = table.keys().filter(|name| !names.contains(&&**name.get_ref()));
         let Some(first) = unknown.min_by_key(|name| name.span().start) else { return Ok(()) };
         let dot = if key.is_empty() { "" } else { "." };
@@ -217,7 +163,7 @@ impl Source<'_> {
     }
 
     /// The text at a key that must be there.
-    fn text_of<'t>(
+    pub(super) fn text_of<'t>(
         &self,
         table: &'t Table<'_>,
         name: &str,
@@ -230,11 +176,11 @@ impl Source<'_> {
         Ok(Spanned::new(value.span(), text))
     }
 
-    fn missing(&self, place: &Range<usize>, key: &str, allowed: &str) -> ProfileError {
+    pub(super) fn missing(&self, place: &Range<usize>, key: &str, allowed: &str) -> ProfileError {
         self.error(place.clone(), ProfileErrorKind::Missing { key: key.to_owned(), allowed: allowed.to_owned() })
     }
 
-    fn wrong(&self, span: Range<usize>, key: &str, allowed: &str) -> ProfileError {
+    pub(super) fn wrong(&self, span: Range<usize>, key: &str, allowed: &str) -> ProfileError {
         let found = shown(self.text.get(span.clone()).unwrap_or_default());
         let kind = ProfileErrorKind::WrongValue { key: key.to_owned(), found, allowed: allowed.to_owned() };
         self.error(span, kind)
