@@ -25,6 +25,8 @@ use crate::rules::{arc, cancel, dummy, mode, side_change, start_up, wedge};
 #[derive(Clone, Debug)]
 pub struct Engine {
     parameters: Parameters,
+    /// What is made of a number of the program.
+    number: fn(&Rational) -> Real,
     next_block: usize,
     /// Where the program stands.
     position: Vector,
@@ -98,6 +100,7 @@ impl Engine {
     pub fn new(parameters: &Parameters) -> Self {
         Engine {
             parameters: *parameters,
+            number: |value| Real::from(value),
             next_block: 0,
             position: Vector::zero(),
             tool: Vector::zero(),
@@ -112,6 +115,12 @@ impl Engine {
             start_up_side: None,
             stopped: None,
         }
+    }
+
+    /// An engine that remembers which numbers of its answers come from the program, so that
+    /// [`Real::reach`] can tell what a change of the program makes of them. Slower: no step is folded.
+    pub fn on_inputs(parameters: &Parameters) -> Self {
+        Engine { number: Real::input, ..Engine::new(parameters) }
     }
 
     /// Reads the next block.
@@ -161,7 +170,7 @@ impl Engine {
         };
         let cancels = block.compensation == Some(Compensation::Off);
         if let Some(radius) = &block.radius {
-            let radius = Real::from(radius);
+            let radius = (self.number)(radius);
             // [TRC-MODE-03]
             if self.mode == Mode::Offset && !cancels && radius != self.radius {
                 return self.alarm(number, AlarmKind::OffsetChangedInMode, judgement);
@@ -196,14 +205,15 @@ impl Engine {
         match &block.movement {
             Movement::None | Movement::Dummy { .. } => Ok(None),
             Movement::Line { end } => {
-                let element = Element::line(self.position.clone(), Vector::rational(end));
+                let element = Element::line(self.position.clone(), Vector::read(end, self.number));
                 let Shape::Line { direction, length } = &element.shape else { return Ok(None) };
                 let squared = direction.length_squared();
                 let moves = judgement.decide(DecisionKind::Moves, &squared, length.clone()).is_gt();
                 Ok(moves.then_some(element))
             }
             Movement::Arc { end, centre, direction } => {
-                arc::programmed(&self.position, end, centre, *direction, &self.parameters, judgement).map(Some)
+                let words = arc::Words::read(end, centre, *direction, self.number);
+                arc::programmed(&self.position, words, &self.parameters, judgement).map(Some)
             }
         }
     }
@@ -291,7 +301,7 @@ impl Engine {
     fn does_not_move(&mut self, number: usize, block: &Block<Rational>, judgement: &mut Judgement<'_>) -> Answer {
         if let (Movement::Dummy { vector }, Mode::Offset, Some(side), true) =
             (&block.movement, self.mode, self.code, self.pending.is_some())
-            && let Some(element) = dummy::element(&self.position, vector)
+            && let Some(element) = dummy::element(&self.position, &Vector::read(vector, self.number))
         {
             return self.dummy(number, block.rapid, &element, side, judgement);
         }

@@ -27,6 +27,11 @@ impl Vector {
         Vector::new(Real::from(&point[0]), Real::from(&point[1]))
     }
 
+    /// A pair of numbers of the program.
+    pub(crate) fn read(point: &[Rational; 2], number: fn(&Rational) -> Real) -> Self {
+        Vector::new(number(&point[0]), number(&point[1]))
+    }
+
     /// The zero vector.
     pub fn zero() -> Self {
         Vector::new(Real::zero(), Real::zero())

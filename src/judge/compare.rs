@@ -3,7 +3,7 @@
 use radcomp_model::Run;
 use radcomp_spec::{Alarm, Clause, Segment, Step};
 
-use super::stroke::{Shape, Stroke, distance, strokes};
+use super::stroke::{Extent, Shape, Stroke, Tolerance, distance, strokes};
 use crate::device::Answer;
 
 /// The first place where a device's answer differs.
@@ -19,6 +19,8 @@ pub struct Divergence {
     pub expected: Option<Stroke>,
     /// The element in the device's answer, if there is one.
     pub observed: Option<Stroke>,
+    /// The outcome's path element from which on nothing can bring the two together again.
+    pub(crate) settled: usize,
 }
 
 /// What differs.
@@ -65,13 +67,14 @@ pub(crate) fn rounded(run: &Run) -> Vec<Step<f64>> {
         .collect()
 }
 
-/// The first divergence of a device's answer from an outcome, if any is larger than `delta`.
-pub(crate) fn divergence(run: &Run, answer: &Answer, delta: f64) -> Option<Divergence> {
+/// The first divergence of a device's answer from an outcome, if any is larger than the tolerance.
+pub(crate) fn divergence(run: &Run, answer: &Answer, tolerance: Tolerance) -> Option<Divergence> {
     if let Some(divergence) = not_finite(answer) {
         return Some(divergence);
     }
-    let expected = strokes(&rounded(run), delta, true);
-    if let Some(divergence) = first_difference(&expected, &strokes(&answer.steps, delta, true), delta, true) {
+    let expected = strokes(&rounded(run), tolerance, true);
+    let observed = strokes(&answer.steps, tolerance, true);
+    if let Some(divergence) = first_difference(&expected, &observed, tolerance, true) {
         return Some(divergence);
     }
     if run.alarm != answer.alarm {
@@ -82,6 +85,7 @@ pub(crate) fn divergence(run: &Run, answer: &Answer, delta: f64) -> Option<Diver
             difference: Difference::Alarm(run.alarm, answer.alarm),
             expected: None,
             observed: None,
+            settled: usize::MAX,
         });
     }
     None
@@ -92,56 +96,77 @@ pub(crate) fn divergence(run: &Run, answer: &Answer, delta: f64) -> Option<Diver
 pub(crate) fn path_difference(
     expected: &[Step<f64>],
     observed: &[Step<f64>],
-    delta: f64,
+    tolerance: Tolerance,
     blocks: bool,
 ) -> Option<String> {
-    let (expected, observed) = (strokes(expected, delta, blocks), strokes(observed, delta, blocks));
-    let divergence = first_difference(&expected, &observed, delta, blocks)?;
+    let (expected, observed) = (strokes(expected, tolerance, blocks), strokes(observed, tolerance, blocks));
+    let divergence = first_difference(&expected, &observed, tolerance, blocks)?;
     Some(format!("{} at block {}: {:?}", divergence.clause, divergence.block + 1, divergence.difference))
 }
 
-fn first_difference(expected: &[Stroke], observed: &[Stroke], delta: f64, blocks: bool) -> Option<Divergence> {
-    let (mut expected, mut observed) = (expected.iter().peekable(), observed.iter().peekable());
-    while expected.peek().is_some() || observed.peek().is_some() {
-        let (here, there) = (expected.peek().copied(), observed.peek().copied());
-        if let Some(difference) = differ(here, there, delta, blocks) {
-            // A move hardly longer than δ may stand on one side and be forgotten on the other.
-            if here.is_some_and(|stroke| is_short(stroke, delta)) {
-                expected.next();
-                continue;
-            }
-            if there.is_some_and(|stroke| is_short(stroke, delta)) {
-                observed.next();
-                continue;
-            }
-            let place = here.or(there)?;
-            return Some(Divergence {
-                block: place.block,
-                clause: place.clause,
-                difference,
-                expected: here.copied(),
-                observed: there.copied(),
-            });
+fn first_difference(
+    expected: &[Stroke],
+    observed: &[Stroke],
+    tolerance: Tolerance,
+    blocks: bool,
+) -> Option<Divergence> {
+    let (mut i, mut j) = (0, 0);
+    // Where both stood when they last agreed.
+    let (mut here_at, mut there_at) = ([0.0, 0.0], [0.0, 0.0]);
+    while i < expected.len() || j < observed.len() {
+        let (here, there) = (expected.get(i), observed.get(j));
+        let Some(difference) = differ(here, there, tolerance, blocks) else {
+            (here_at, there_at) = (here.map_or(here_at, |stroke| stroke.to), there.map_or(there_at, |stroke| stroke.to));
+            (i, j) = (i + 1, j + 1);
+            continue;
+        };
+        // A move hardly longer than δ may stand on one side and be forgotten on the other.
+        if here.is_some_and(|stroke| is_short(stroke, here_at, tolerance)) {
+            i += 1;
+            continue;
         }
-        expected.next();
-        observed.next();
+        if there.is_some_and(|stroke| is_short(stroke, there_at, tolerance)) {
+            j += 1;
+            continue;
+        }
+        let place = here.or(there)?;
+        let next = expected[(i + 1).min(expected.len())..]
+            .iter()
+            .find(|stroke| !is_short(stroke, stroke.from, tolerance))
+            .filter(|_| here.is_some());
+        return Some(Divergence {
+            block: place.block,
+            clause: place.clause,
+            difference,
+            expected: here.copied(),
+            observed: there.copied(),
+            settled: next.map_or(usize::MAX, |stroke| stroke.step),
+        });
     }
     None
 }
 
-fn differ(expected: Option<&Stroke>, observed: Option<&Stroke>, delta: f64, blocks: bool) -> Option<Difference> {
+fn differ(
+    expected: Option<&Stroke>,
+    observed: Option<&Stroke>,
+    tolerance: Tolerance,
+    blocks: bool,
+) -> Option<Difference> {
     let (expected, observed) = match (expected, observed) {
         (Some(expected), Some(observed)) => (expected, observed),
         (Some(_), None) => return Some(Difference::Missing),
         _ => return Some(Difference::Surplus),
     };
+    let delta = tolerance.delta;
     let off = distance(expected.to, observed.to);
     match (expected.shape, observed.shape) {
         (Shape::Hold, Shape::Hold) if off > delta => return Some(Difference::Place(off)),
         (Shape::Hold, Shape::Hold) => return (blocks && expected.block != observed.block).then_some(Difference::Block),
         (Shape::Line, Shape::Line) => {}
         (Shape::Arc { centre: c1, direction: d1, full: f1 }, Shape::Arc { centre: c2, direction: d2, full: f2 }) => {
-            if d1 != d2 || f1 != f2 {
+            let near = 2.0 * delta;
+            let extents = (expected.extent(near, 0.0), observed.extent(near, tolerance.grain));
+            if d1 != d2 || f1 != f2 || !extents.0.agrees(extents.1) {
                 return Some(Difference::Kind);
             }
             if distance(c1, c2) > delta {
@@ -159,9 +184,16 @@ fn differ(expected: Option<&Stroke>, observed: Option<&Stroke>, delta: f64, bloc
     (blocks && expected.block != observed.block).then_some(Difference::Block)
 }
 
-fn is_short(stroke: &Stroke, delta: f64) -> bool {
+/// Whether a stroke, seen from where the paths last agreed, is a move of hardly any length.
+fn is_short(stroke: &Stroke, agreed: [f64; 2], tolerance: Tolerance) -> bool {
+    let near = 2.0 * tolerance.delta;
     match stroke.shape {
-        Shape::Line | Shape::Arc { full: false, .. } => distance(stroke.from, stroke.to) <= 2.0 * delta,
+        Shape::Line => distance(agreed, stroke.to) <= near,
+        Shape::Arc { full: false, .. } => {
+            distance(agreed, stroke.to) <= near
+                && distance(stroke.from, stroke.to) <= near
+                && stroke.extent(near, tolerance.grain) != Extent::Long
+        }
         Shape::Arc { full: true, .. } | Shape::Hold => false,
     }
 }
@@ -178,5 +210,6 @@ fn not_finite(answer: &Answer) -> Option<Divergence> {
         difference: Difference::NotFinite,
         expected: None,
         observed: None,
+        settled: 0,
     })
 }

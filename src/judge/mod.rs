@@ -16,6 +16,7 @@ pub use budget::{Budget, Grade};
 pub(crate) use compare::path_difference;
 pub use compare::{Difference, Divergence};
 pub use fork::Flip;
+pub(crate) use stroke::Tolerance;
 pub use stroke::{Shape, Stroke};
 pub use verdict::{Judged, Verdict, judge};
 pub use witness::Witness;

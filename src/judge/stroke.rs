@@ -17,6 +17,8 @@ pub struct Stroke {
     pub to: [f64; 2],
     /// Its shape.
     pub shape: Shape,
+    /// Index of the path step that begins it.
+    pub step: usize,
 }
 
 /// The shape of a stroke.
@@ -42,27 +44,98 @@ pub(crate) fn distance(p: [f64; 2], q: [f64; 2]) -> f64 {
     (p[0] - q[0]).hypot(p[1] - q[1])
 }
 
-/// The strokes of a path that starts at (0, 0): moves no longer than `delta` are left out, and straight moves of one
-/// block (of any blocks, without `blocks`) that continue each other within `delta` are one.
-pub(crate) fn strokes(steps: &[Step<f64>], delta: f64, blocks: bool) -> Vec<Stroke> {
+/// How exactly two paths are compared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Tolerance {
+    /// How far a point may lie off, in millimetres.
+    pub(crate) delta: f64,
+    /// Differences up to here, in millimetres, are the rounding of the device.
+    pub(crate) grain: f64,
+}
+
+impl Tolerance {
+    /// The grain is a few bands wide: each of a device's numbers may be rounded.
+    pub(crate) fn new(delta: f64, beta: f64) -> Self {
+        Tolerance { delta, grain: (16.0 * beta).min(delta) }
+    }
+}
+
+/// How much of a turn an arc makes whose ends lie near each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// Hardly any of it.
+    Short,
+    /// Nearly all of it.
+    Long,
+    /// The ends tell it, or lie so near to each other that the rounding decides.
+    Either,
+}
+
+impl Extent {
+    /// Whether two arcs with the same ends may be one.
+    pub(crate) fn agrees(self, other: Extent) -> bool {
+        self == other || self == Extent::Either || other == Extent::Either
+    }
+}
+
+impl Stroke {
+    /// How much of a turn an arc makes, if its ends lie within `near` of each other and it is larger than that. Ends
+    /// within `grain` may be rounded past each other.
+    pub(crate) fn extent(&self, near: f64, grain: f64) -> Extent {
+        let chord = distance(self.from, self.to);
+        let Shape::Arc { centre, direction, full: false } = self.shape else { return Extent::Either };
+        if chord > near || chord <= grain || 2.0 * distance(self.from, centre) <= near {
+            return Extent::Either;
+        }
+        let ray = [self.from[0] - centre[0], self.from[1] - centre[1]];
+        // The cross product with the chord keeps its sign where that of the two rays would cancel.
+        let onward = ray[0] * (self.to[1] - self.from[1]) - ray[1] * (self.to[0] - self.from[0]);
+        match (direction, onward >= 0.0) {
+            (Direction::Counterclockwise, true) | (Direction::Clockwise, false) => Extent::Short,
+            _ => Extent::Long,
+        }
+    }
+}
+
+/// The strokes of a path that starts at (0, 0): moves that stay within `delta` of where the last stroke ended are left
+/// out, and straight moves of one block (of any blocks, without `blocks`) that continue each other within `delta` are
+/// one.
+pub(crate) fn strokes(steps: &[Step<f64>], tolerance: Tolerance, blocks: bool) -> Vec<Stroke> {
+    let delta = tolerance.delta;
     let mut strokes: Vec<Stroke> = Vec::with_capacity(steps.len());
     let mut at = [0.0, 0.0];
-    for step in steps {
+    // Where the last stroke ended: many short moves are no short move.
+    let mut left = at;
+    for (step_index, step) in steps.iter().enumerate() {
         let (to, shape) = match step.segment {
             Segment::Hold => (at, Shape::Hold),
             Segment::Line { end } => (end, Shape::Line),
             Segment::Arc { end, centre, direction, full } => (end, Shape::Arc { centre, direction, full }),
         };
-        let stroke = Stroke { block: step.block, clause: step.clause, rapid: step.rapid, from: at, to, shape };
+        let mut stroke =
+            Stroke { block: step.block, clause: step.clause, rapid: step.rapid, from: at, to, shape, step: step_index };
         at = to;
-        match shape {
-            Shape::Hold | Shape::Arc { full: true, .. } => strokes.push(stroke),
-            _ if distance(stroke.from, to) <= delta => {}
-            Shape::Line => match strokes.last_mut() {
-                Some(last) if continues(last, &stroke, delta, blocks) => last.to = to,
-                _ => strokes.push(stroke),
-            },
-            Shape::Arc { .. } => strokes.push(stroke),
+        let is_short = match shape {
+            Shape::Hold | Shape::Arc { full: true, .. } => false,
+            Shape::Line => distance(left, to) <= delta,
+            Shape::Arc { .. } => {
+                distance(left, to) <= delta
+                    && distance(stroke.from, to) <= delta
+                    && stroke.extent(delta, tolerance.grain) != Extent::Long
+            }
+        };
+        if is_short {
+            continue;
+        }
+        if shape == Shape::Line {
+            stroke.from = left;
+        }
+        if shape != Shape::Hold {
+            left = to;
+        }
+        match strokes.last_mut() {
+            Some(last) if shape == Shape::Line && continues(last, &stroke, delta, blocks) => last.to = to,
+            _ => strokes.push(stroke),
         }
     }
     strokes

@@ -7,9 +7,10 @@ use radcomp_spec::{Block, Parameters};
 use rug::Rational;
 
 use super::budget::Budget;
-use super::compare::{self, Divergence};
-use super::fork::{self, Flip};
-use super::witness::{self, Witness};
+use super::compare::Divergence;
+use super::fork::{self, Flip, Reception};
+use super::stroke::Tolerance;
+use super::witness::{Search, Witness};
 use crate::device::{Answer, Device, DeviceFault};
 
 /// What the judge says of one answer.
@@ -78,13 +79,18 @@ fn measure(
     answer: &Answer,
     budget: &Budget,
 ) -> Verdict {
-    let (beta, delta) = (budget.beta(blocks), budget.delta);
-    let Some(divergence) = compare::divergence(exact, answer, delta) else { return Verdict::Exact };
-    if let Some(witness) = witness::for_points(parameters, blocks, exact, answer, beta, delta) {
+    let beta = budget.beta(blocks);
+    let search = Search { parameters, blocks, answer, beta, tolerance: Tolerance::new(budget.delta, beta) };
+    let Some(divergence) = search.divergence(exact) else { return Verdict::Exact };
+    if let Some(witness) = search.for_points(exact) {
         return Verdict::Admissible(witness);
     }
-    match fork::find(parameters, blocks, beta, |run| compare::divergence(run, answer, delta).is_none()) {
-        Ok(flips) => match witness::for_flips(parameters, blocks, answer, &flips, beta, delta) {
+    let receive = |run: &Run| match search.divergence(run) {
+        None => Reception::Accepted,
+        Some(divergence) => Reception::Refused(divergence.settled),
+    };
+    match fork::find(parameters, blocks, beta, receive) {
+        Ok(flips) => match search.for_flips(&flips) {
             Some(witness) => Verdict::Admissible(witness),
             None => Verdict::AdmissibleWithoutWitness(flips),
         },

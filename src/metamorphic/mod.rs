@@ -19,7 +19,7 @@ use radcomp_spec::{AdvisoryKind, Block, DecisionKind, Parameters, Step};
 use rug::Rational;
 
 use crate::device::{Answer, Device, DeviceFault};
-use crate::judge::{Budget, path_difference};
+use crate::judge::{Budget, Tolerance, path_difference};
 
 /// A relation that a device breaks.
 #[derive(Clone, Debug, PartialEq)]
@@ -135,5 +135,5 @@ fn compare(answer: Result<Answer, DeviceFault>, expected: &Answer, delta: f64, b
     if kinds.0 != kinds.1 {
         return Some(format!("alarm {:?} instead of {:?}", kinds.0, kinds.1));
     }
-    path_difference(&expected.steps, &answer.steps, delta, blocks)
+    path_difference(&expected.steps, &answer.steps, Tolerance::new(delta, 0.0), blocks)
 }

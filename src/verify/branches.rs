@@ -3,13 +3,15 @@
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
-use radcomp_model::number::Real;
-use radcomp_model::{Decision, Run, run_with};
-use radcomp_spec::{Block, Parameters};
+use radcomp_model::number::{Real, within_bits};
+use radcomp_model::{Decision, Engine, Run, Sink, Stop};
+use radcomp_spec::{Block, Parameters, Step};
 use rug::Rational;
 
 /// The most combinations that are looked at for one program.
 pub const MOST_RUNS: usize = 256;
+/// The most bits that the sign of one number may take here.
+const MOST_BITS: i64 = 1_000_000;
 
 /// What came of looking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,13 +31,16 @@ type Plan = Vec<(usize, Ordering)>;
 pub(super) fn search(
     parameters: &Parameters,
     blocks: &[Block<Rational>],
-    beta: &Real,
+    beta: f64,
     mut accept: impl FnMut(&Run) -> bool,
 ) -> Search {
     let mut plans = VecDeque::from([Plan::new()]);
     for _ in 0..MOST_RUNS {
         let Some(plan) = plans.pop_front() else { return Search::NotFound };
-        let (run, exact) = follow(parameters, blocks, beta, &plan);
+        // Where a sign takes too many bits, this is one combination too many.
+        let Some((run, exact)) = within_bits(MOST_BITS, || follow(parameters, blocks, beta, &plan)) else {
+            return Search::TooMany;
+        };
         if !run.contradiction && accept(&run) {
             return Search::Found;
         }
@@ -55,20 +60,49 @@ pub(super) fn search(
 }
 
 /// The outcome of a plan, and the exact answer of every decision in the band.
-fn follow(parameters: &Parameters, blocks: &[Block<Rational>], beta: &Real, plan: &Plan) -> (Run, Vec<Ordering>) {
-    let mut seen = Vec::new();
-    let run = run_with(parameters, blocks, |decision| {
-        if !is_in_band(decision, beta) {
-            return decision.exact;
+fn follow(parameters: &Parameters, blocks: &[Block<Rational>], beta: f64, plan: &Plan) -> (Run, Vec<Ordering>) {
+    let mut follower = Follower { beta, plan, seen: Vec::new(), run: Run::default() };
+    let mut engine = Engine::on_inputs(parameters);
+    for block in blocks {
+        // A stopped engine gives its reason again at the end.
+        if engine.push(block, &mut follower).is_err() {
+            break;
         }
-        let number = seen.len();
-        seen.push(decision.exact);
-        plan.iter().find(|(planned, _)| *planned == number).map_or(decision.exact, |(_, answer)| *answer)
-    });
-    (run, seen)
+    }
+    match engine.finish(&mut follower) {
+        Err(Stop::Alarm(alarm)) => follower.run.alarm = Some(alarm),
+        Err(Stop::Contradiction) => follower.run.contradiction = true,
+        Ok(()) => {}
+    }
+    (follower.run, follower.seen)
 }
 
-/// Whether a decision that shapes the path has a margin of at most β, exactly.
-fn is_in_band(decision: &Decision, beta: &Real) -> bool {
-    decision.kind.shapes_the_path() && decision.margin <= *beta && decision.margin >= -beta
+/// Takes the decisions in the band as a plan says.
+struct Follower<'a> {
+    beta: f64,
+    plan: &'a Plan,
+    seen: Vec<Ordering>,
+    run: Run,
+}
+
+impl Sink for Follower<'_> {
+    fn step(&mut self, step: Step<Real>) {
+        self.run.steps.push(step);
+    }
+
+    fn decide(&mut self, decision: Decision) -> Ordering {
+        if !is_in_band(&decision, self.beta) {
+            return decision.exact;
+        }
+        let number = self.seen.len();
+        self.seen.push(decision.exact);
+        self.plan.iter().find(|(planned, _)| *planned == number).map_or(decision.exact, |(_, answer)| *answer)
+    }
+}
+
+/// Whether a decision that shapes the path may have another answer where every number of the program may move by β.
+fn is_in_band(decision: &Decision, beta: f64) -> bool {
+    let (low, high) = decision.margin.reach(beta);
+    let certain = low > 0.0 || high < 0.0 || (low == 0.0 && high == 0.0);
+    decision.kind.shapes_the_path() && !certain
 }

@@ -122,7 +122,7 @@ impl Question<'_> {
     fn is_outcome_of(&self, program: &[Block<Rational>], name: &str) -> Result<(), String> {
         let answer = self.answer.as_ref().ok_or("a number of the answer is not finite")?;
         let outcome = Path::of_run(&run(self.parameters, program));
-        walk::compare(&outcome, answer, &self.delta).map_err(|parting| match parting {
+        walk::compare(&outcome, answer, &self.delta, &Real::from(&self.beta)).map_err(|parting| match parting {
             Parting::Path(block) => format!("the answer is not the outcome of {name}: they part at N{}", block + 1),
             Parting::Alarm => format!("the answer ends in another alarm than {name}"),
         })
@@ -145,8 +145,8 @@ impl Question<'_> {
     fn search(&self) -> Search {
         let Some(answer) = &self.answer else { return Search::NotFound };
         let beta = Real::from(&self.beta);
-        branches::search(self.parameters, self.program, &beta, |run| {
-            walk::compare(&Path::of_run(run), answer, &self.delta).is_ok()
+        branches::search(self.parameters, self.program, nearest_f64(&self.beta), |run| {
+            walk::compare(&Path::of_run(run), answer, &self.delta, &beta).is_ok()
         })
     }
 }

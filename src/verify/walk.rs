@@ -9,8 +9,10 @@
 //!   Fréchet distance of two polylines (Alt and Godau, *Computing the Fréchet distance between two polygonal curves*,
 //!   1995), on straight moves of one block and rate;
 //! * a straight move or an arc that is not whole alone, while the other stands within δ of both its ends: a move of no
-//!   length to within δ. (Of an arc whose ends lie that near to each other its wholeness, not its sense, says whether
-//!   it turns.)
+//!   length to within δ, unless the arc goes the long way round.
+//!
+//! Of an arc whose ends lie within 2δ of each other its sense tells whether it goes the short way or the long way; where
+//! the ends of the answer's arc lie within 16β, its rounding may have put them past each other, and it counts as either.
 //!
 //! # Exactness
 //!
@@ -21,6 +23,7 @@ use std::collections::BTreeMap;
 
 use radcomp_model::Vector;
 use radcomp_model::number::Real;
+use radcomp_spec::Direction;
 
 use super::path::{Move, Path, Shape};
 
@@ -48,15 +51,18 @@ struct Walk<'a> {
     outcome: &'a Path,
     answer: &'a Path,
     delta_squared: Real,
+    grain_squared: Real,
     /// Places not looked at yet, in an order in which each comes after those that lead to it.
     places: BTreeMap<(usize, usize), Place>,
 }
 
 /// Compares an answer with an outcome.
-pub(super) fn compare(outcome: &Path, answer: &Path, delta: &Real) -> Result<(), Parting> {
+pub(super) fn compare(outcome: &Path, answer: &Path, delta: &Real, beta: &Real) -> Result<(), Parting> {
     let start = Place { both: true, ..Place::default() };
     let places = BTreeMap::from([((0, 0), start)]);
-    let mut walk = Walk { outcome, answer, delta_squared: delta.square(), places };
+    let grain = (beta * &Real::integer(16)).min(delta.clone());
+    let (delta_squared, grain_squared) = (delta.square(), grain.square());
+    let mut walk = Walk { outcome, answer, delta_squared, grain_squared, places };
     let ends = (outcome.moves.len(), answer.moves.len());
     let mut farthest = (0, 0);
     while let Some((at, place)) = walk.places.pop_first() {
@@ -80,17 +86,18 @@ impl Walk<'_> {
         if place.both {
             place.outcome_ahead = Some(Real::zero());
             place.answer_ahead = Some(Real::zero());
-            if here.is_some_and(Move::may_have_no_length) && self.near(i + 1, j) {
+            let no_way = |path: &Path, at, way| way != Way::Long && path.moves.get(at).is_some_and(Move::may_have_no_length);
+            if no_way(outcome, i, self.way(outcome, i, &Real::zero())) && self.near(i + 1, j) {
                 self.reach(i + 1, j).both = true;
             }
-            if there.is_some_and(Move::may_have_no_length) && self.near(i, j + 1) {
+            if no_way(answer, j, self.way(answer, j, &self.grain_squared)) && self.near(i, j + 1) {
                 self.reach(i, j + 1).both = true;
             }
         }
         let (Some(here), Some(there)) = (here, there) else { return };
         if here.is_line_like(there) {
             self.straight((i, j), place);
-        } else if place.both && self.together(here, there) && self.near(i + 1, j + 1) {
+        } else if place.both && self.together(here, there) && self.same_way(i, j) && self.near(i + 1, j + 1) {
             self.reach(i + 1, j + 1).both = true;
         }
     }
@@ -135,6 +142,32 @@ impl Walk<'_> {
         }
     }
 
+    /// Whether two arcs go the same way round, as far as their ends tell.
+    fn same_way(&self, i: usize, j: usize) -> bool {
+        let ways = (self.way(self.outcome, i, &Real::zero()), self.way(self.answer, j, &self.grain_squared));
+        ways.0 == ways.1 || ways.0 == Way::Either || ways.1 == Way::Either
+    }
+
+    /// Which way round an arc goes whose ends lie near each other.
+    fn way(&self, path: &Path, at: usize, grain_squared: &Real) -> Way {
+        let Some(Shape::Arc { centre, direction, full: false }) = path.moves.get(at).map(|element| &element.shape) else {
+            return Way::Either;
+        };
+        let (from, to) = (path.after(at), path.after(at + 1));
+        let (chord, ray) = (to.minus(from), from.minus(centre));
+        let (chord_squared, near_squared) = (chord.length_squared(), &self.delta_squared * &Real::integer(4));
+        let small = ray.length_squared() * Real::integer(4) <= near_squared;
+        if chord_squared > near_squared || chord_squared <= *grain_squared || small {
+            return Way::Either;
+        }
+        let onward = ray.cross(&chord).sign();
+        let short = match direction {
+            Direction::Counterclockwise => onward.is_ge(),
+            Direction::Clockwise => onward.is_le(),
+        };
+        if short { Way::Short } else { Way::Long }
+    }
+
     /// The part of the move from `start` to `end` that is no farther than δ from `point`: from where to where, each times
     /// the square of the move's length.
     fn free(&self, start: &Vector, end: &Vector, point: &Vector) -> Option<(Real, Real)> {
@@ -174,6 +207,17 @@ impl Move {
             Shape::Hold => false,
         }
     }
+}
+
+/// Which way round an arc goes whose ends lie near each other.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Way {
+    /// Along the short piece between them.
+    Short,
+    /// Along all the rest of the circle.
+    Long,
+    /// The ends lie apart, or too near for the rounding of a device.
+    Either,
 }
 
 /// The earliest place of a free part that can be reached: any, `from_across`, or none before `before`.

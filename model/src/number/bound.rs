@@ -84,7 +84,7 @@ impl Real {
 fn size<'a>(real: &'a Real, of: impl Fn(&'a Real) -> Size) -> Size {
     match &real.0.shape {
         _ if real.known_zero() => Size::default(),
-        Shape::Rational(value) => Size::of_rational(value),
+        Shape::Rational(value) | Shape::Input(value) => Size::of_rational(value),
         Shape::Negation(a) => of(a),
         Shape::Sum(a, b) | Shape::Difference(a, b) => of(a).plus(of(b)),
         Shape::Product(a, b) => of(a).times(of(b)),
@@ -174,7 +174,7 @@ const MOST_CLASSES: usize = 64;
 impl Roots {
     fn add(&mut self, radicand: &Real) {
         match &radicand.0.shape {
-            Shape::Rational(value) => self.add_rational(value),
+            Shape::Rational(value) | Shape::Input(value) => self.add_rational(value),
             _ => self.count += u32::from(self.nested.insert(radicand.address())),
         }
     }

@@ -50,7 +50,7 @@ fn closed(real: &Real, done: &mut HashMap<*const Node, Option<Closed>>) -> Optio
     }
     let result = match &real.0.shape {
         _ if real.known_zero() => Some(Closed::flat(Form::rational(&Rational::new()))),
-        Shape::Rational(value) => Some(Closed::flat(Form::rational(value))),
+        Shape::Rational(value) | Shape::Input(value) => Some(Closed::flat(Form::rational(value))),
         Shape::Negation(a) => closed(a, done).map(|a| a.scale(&Rational::from(-1))),
         Shape::Sum(a, b) => closed(a, done).zip(closed(b, done)).and_then(|(a, b)| a.add(&b)),
         Shape::Difference(a, b) => {

@@ -49,7 +49,7 @@ impl Real {
     /// rationals are folded, and a step that is not needed (`√` of a square, a number over itself) may be left out.
     pub fn expression(&self) -> Expression<'_> {
         match &self.0.shape {
-            Shape::Rational(value) => Expression::Rational(value),
+            Shape::Rational(value) | Shape::Input(value) => Expression::Rational(value),
             Shape::Negation(a) => Expression::Negation(a),
             Shape::Sum(a, b) => Expression::Sum(a, b),
             Shape::Difference(a, b) => Expression::Difference(a, b),

@@ -27,6 +27,9 @@ impl Interval {
     /// The number zero.
     pub(super) const ZERO: Interval = Interval { low: 0.0, high: 0.0 };
 
+    /// Nothing is known.
+    pub(super) const EVERYTHING: Interval = Interval { low: f64::NEG_INFINITY, high: f64::INFINITY };
+
     /// The interval of a rational number; a single point when that is an integer of at most 53 bits.
     pub(super) fn of_rational(value: &Rational) -> Interval {
         let (numerator, denominator) = (value.numer(), value.denom());

@@ -17,11 +17,13 @@
 mod bound;
 mod closed_form;
 mod decimal;
+mod reach;
 mod expression;
 mod filter;
 mod node;
 mod operators;
 mod parse;
+mod patience;
 mod quadratic;
 mod refine;
 mod sign;
@@ -35,6 +37,7 @@ use rug::{Integer, Rational};
 pub use decimal::{format_decimal, nearest_f64, parse_decimal};
 pub use expression::{Expression, Identity};
 pub use parse::ParseRealError;
+pub use patience::within_bits;
 
 use filter::Interval;
 use node::{Node, Shape};
@@ -71,6 +74,15 @@ impl Real {
     /// A rational number.
     pub fn rational(value: Rational) -> Real {
         Real::node(Interval::of_rational(&value), Shape::Rational(value))
+    }
+
+    /// A rational number that [`Real::reach`] may move.
+    ///
+    /// # Exactness
+    ///
+    /// Exact, and in every other respect that rational; operations on it are not folded, which makes signs dearer.
+    pub fn input(value: &Rational) -> Real {
+        Real::node(Interval::of_rational(value), Shape::Input(value.clone()))
     }
 
     /// The square root, or none if the number is negative.

@@ -33,6 +33,8 @@ pub(super) struct Approximation {
 pub(super) enum Shape {
     /// A rational number: every operation on rationals alone is folded into one of these.
     Rational(Rational),
+    /// A rational number of the program: no operation on it is folded.
+    Input(Rational),
     Negation(Real),
     Sum(Real, Real),
     Difference(Real, Real),
@@ -48,7 +50,7 @@ impl Shape {
     /// The numbers this one was made from.
     pub(super) fn operands(&self) -> [Option<&Real>; 2] {
         match self {
-            Shape::Rational(_) => [None, None],
+            Shape::Rational(_) | Shape::Input(_) => [None, None],
             Shape::Negation(a) | Shape::Square(a) | Shape::Root(a) => [Some(a), None],
             Shape::Sum(a, b) | Shape::Difference(a, b) | Shape::Product(a, b) | Shape::Quotient(a, b, _) => {
                 [Some(a), Some(b)]
@@ -58,7 +60,7 @@ impl Shape {
 
     fn into_operands(self) -> [Option<Real>; 2] {
         match self {
-            Shape::Rational(_) => [None, None],
+            Shape::Rational(_) | Shape::Input(_) => [None, None],
             Shape::Negation(a) | Shape::Square(a) | Shape::Root(a) => [Some(a), None],
             Shape::Sum(a, b) | Shape::Difference(a, b) | Shape::Product(a, b) | Shape::Quotient(a, b, _) => {
                 [Some(a), Some(b)]
@@ -70,7 +72,7 @@ impl Shape {
     /// of reach of any approximation, which then stops the program for want of memory before it could say a word.
     fn ceiling(&self) -> i64 {
         match self {
-            Shape::Rational(value) => {
+            Shape::Rational(value) | Shape::Input(value) => {
                 // |n| < 2^bits(n) and d ≥ 2^(bits(d) - 1).
                 let numerator = i64::from(value.numer().significant_bits());
                 numerator - i64::from(value.denom().significant_bits()) + 1

@@ -87,7 +87,7 @@ impl Real {
         let both = |a, p, b, q| Demand::Operands([Some((a, p)), Some((b, q))]);
         let one = |a, p| Demand::Operands([Some((a, p)), None]);
         match &self.0.shape {
-            Shape::Rational(_) => Demand::Operands([None, None]),
+            Shape::Rational(_) | Shape::Input(_) => Demand::Operands([None, None]),
             Shape::Negation(a) => one(a, bits),
             // Two errors of a quarter each.
             Shape::Sum(a, b) | Shape::Difference(a, b) => {
@@ -122,7 +122,7 @@ impl Real {
             return Integer::new();
         };
         match (&self.0.shape, operands) {
-            (Shape::Rational(value), _) => rational_mantissa(value, bits),
+            (Shape::Rational(value) | Shape::Input(value), _) => rational_mantissa(value, bits),
             (Shape::Negation(_), [Some((a, p)), _]) => -a.recall(*p),
             (Shape::Sum(..), [Some((a, p)), Some((b, q))]) => shift_rounded(&(a.recall(*p) + b.recall(*q)), -2),
             (Shape::Difference(..), [Some((a, p)), Some((b, q))]) => shift_rounded(&(a.recall(*p) - b.recall(*q)), -2),

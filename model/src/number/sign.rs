@@ -4,6 +4,7 @@ use core::cmp::Ordering;
 
 use super::Real;
 use super::filter::Interval;
+use super::patience;
 
 /// Bits, below the size the filter admits, of the first refinement. A double-precision filter that fails on a number that
 /// is not zero has most often cancelled a few bits more than it has.
@@ -52,6 +53,10 @@ impl Real {
             bits = bits.saturating_add(step);
             if bits.saturating_add(step.saturating_mul(4)) >= enough {
                 bits = enough;
+            }
+            // What is given up here is not learnt: the number is not zero for others.
+            if !patience::allows(bits) {
+                return Ordering::Equal;
             }
             self.approximate(bits);
             if let Some(sign) = self.approximate_sign() {

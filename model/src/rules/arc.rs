@@ -12,25 +12,50 @@ use crate::element::{Element, Shape, tool_inside};
 use crate::geometry::{Vector, larger, smaller};
 use crate::number::Real;
 
+/// What an arc block says.
+pub(crate) struct Words {
+    end: Vector,
+    centre: Place,
+    sense: Direction,
+}
+
+/// How it gives the centre.
+enum Place {
+    FromStart(Vector),
+    Radius(Real),
+}
+
+impl Words {
+    pub(crate) fn read(
+        end: &[Rational; 2],
+        centre: &Centre<Rational>,
+        sense: Direction,
+        number: fn(&Rational) -> Real,
+    ) -> Self {
+        let centre = match centre {
+            Centre::FromStart(vector) => Place::FromStart(Vector::read(vector, number)),
+            Centre::Radius(radius) => Place::Radius(number(radius)),
+        };
+        Words { end: Vector::read(end, number), centre, sense }
+    }
+}
+
 /// The arc that a block programs, or the alarm of its form.
 pub(crate) fn programmed(
     start: &Vector,
-    end: &[Rational; 2],
-    centre: &Centre<Rational>,
-    sense: Direction,
+    words: Words,
     parameters: &Parameters,
     judgement: &mut Judgement<'_>,
 ) -> Result<Element, AlarmKind> {
-    let end = Vector::rational(end);
+    let Words { end, centre, sense } = words;
     let chord = end.minus(start);
     let (centre, start_radius, end_radius) = match centre {
-        Centre::Radius(radius) => {
-            let radius = Real::from(radius);
+        Place::Radius(radius) => {
             let centre = centre_from_radius(start, &chord, &radius, sense, judgement)?;
             (centre, radius.abs(), radius.abs())
         }
-        Centre::FromStart(vector) => {
-            let centre = start.plus(&Vector::rational(vector));
+        Place::FromStart(vector) => {
+            let centre = start.plus(&vector);
             let (to_start, to_end) = (start.minus(&centre), end.minus(&centre));
             let (at_start, at_end) = (to_start.length_squared(), to_end.length_squared());
             let start_radius = at_start.sqrt_or_zero();

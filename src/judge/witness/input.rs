@@ -1,0 +1,83 @@
+//! The numbers of a program as a list, and programs with some of them moved.
+
+use radcomp_spec::{Block, Centre, Movement};
+use rug::Rational;
+
+/// A number of a program: the block's index, and which of its numbers.
+pub(super) type Place = (usize, usize);
+
+/// The blocks that a vector at this block's end depends on: the moving ones around it.
+pub(super) fn near(blocks: &[Block<Rational>], block: usize) -> Vec<usize> {
+    let moving = |index: &usize| numbers(&blocks[*index]) > 0;
+    let before = (0..=block.min(blocks.len().saturating_sub(1))).rev().filter(moving).take(3);
+    let after = (block + 1..blocks.len()).filter(moving).take(2);
+    before.chain(after).collect()
+}
+
+/// How many numbers a block moves by.
+pub(super) fn numbers(block: &Block<Rational>) -> usize {
+    match &block.movement {
+        Movement::None => 0,
+        Movement::Line { .. } | Movement::Dummy { .. } => 2,
+        Movement::Arc { centre: Centre::Radius(_), .. } => 3,
+        Movement::Arc { centre: Centre::FromStart(_), .. } => 4,
+    }
+}
+
+/// A number of the program; zero if there is none at this place.
+pub(super) fn number_of(blocks: &[Block<Rational>], (index, number): Place) -> Rational {
+    let mut copy = blocks[index].clone();
+    place(&mut copy, number).cloned().unwrap_or_default()
+}
+
+fn place(block: &mut Block<Rational>, number: usize) -> Option<&mut Rational> {
+    match (&mut block.movement, number) {
+        (Movement::Line { end } | Movement::Arc { end, .. }, 0 | 1) => end.get_mut(number),
+        (Movement::Dummy { vector }, 0 | 1) => vector.get_mut(number),
+        (Movement::Arc { centre: Centre::FromStart(vector), .. }, 2 | 3) => vector.get_mut(number - 2),
+        (Movement::Arc { centre: Centre::Radius(radius), .. }, 2) => Some(radius),
+        _ => None,
+    }
+}
+
+/// The blocks with one number replaced. Blocks that end at the same point keep ending at one point, so that a move of
+/// no length and a full circle stay what they are.
+pub(super) fn with(blocks: &[Block<Rational>], (index, number): Place, value: &Rational) -> Vec<Block<Rational>> {
+    let mut moved = blocks.to_vec();
+    let joint = if number < 2 { end_of(&blocks[index]) } else { None };
+    for (other, block) in moved.iter_mut().enumerate() {
+        let together = other == index || (joint.is_some() && end_of(block) == joint);
+        if together && let Some(place) = place(block, number) {
+            place.clone_from(value);
+        }
+    }
+    moved
+}
+
+fn end_of(block: &Block<Rational>) -> Option<[Rational; 2]> {
+    match &block.movement {
+        Movement::Line { end } | Movement::Arc { end, .. } => Some(end.clone()),
+        Movement::None | Movement::Dummy { .. } => None,
+    }
+}
+
+/// The program halfway between two that differ in their numbers alone.
+pub(super) fn halfway(from: &[Block<Rational>], to: &[Block<Rational>]) -> Vec<Block<Rational>> {
+    let mut middle = to.to_vec();
+    for (index, block) in middle.iter_mut().enumerate() {
+        for number in 0..numbers(block) {
+            let start = number_of(from, (index, number));
+            if let Some(value) = place(block, number) {
+                *value += start;
+                *value /= 2;
+            }
+        }
+    }
+    middle
+}
+
+/// The largest difference of two programs in one number.
+pub(super) fn change(from: &[Block<Rational>], to: &[Block<Rational>]) -> Rational {
+    let places = from.iter().enumerate().flat_map(|(index, block)| (0..numbers(block)).map(move |number| (index, number)));
+    places.map(|place| (number_of(to, place) - number_of(from, place)).abs()).max().unwrap_or_default()
+}
