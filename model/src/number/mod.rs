@@ -17,7 +17,6 @@
 mod bound;
 mod closed_form;
 mod decimal;
-mod reach;
 mod expression;
 mod filter;
 mod node;
@@ -25,6 +24,7 @@ mod operators;
 mod parse;
 mod patience;
 mod quadratic;
+mod reach;
 mod refine;
 mod sign;
 #[cfg(test)]

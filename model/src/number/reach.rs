@@ -22,7 +22,8 @@ impl Real {
             let waiting = pending.len();
             if !known.contains_key(&real.address()) {
                 let operands = real.0.shape.operands();
-                pending.extend(operands.into_iter().flatten().filter(|operand| !known.contains_key(&operand.address())));
+                pending
+                    .extend(operands.into_iter().flatten().filter(|operand| !known.contains_key(&operand.address())));
                 if pending.len() == waiting {
                     let of = |operand: &Real| known.get(&operand.address()).copied().unwrap_or(Interval::EVERYTHING);
                     known.insert(real.address(), real.moved(spread, of));

@@ -12,12 +12,13 @@ use crate::geometry::{Vector, smaller};
 use crate::number::Real;
 use crate::sweep::{Sweep, differ_by_more_than_half_turn};
 
-/// Looks at one compensated block when the centre's positions at its start and end are settled.
+/// Looks at one compensated block when the centre's positions at its start and end are settled. An arc is exempt when
+/// it is run as a full circle, and when the tool stands at its centre meanwhile ([TRC-ARC-08]).
 pub(crate) fn forward(
     element: &Element,
     start: &Vector,
     end: &Vector,
-    whole_circle: bool,
+    exempt: bool,
     parameters: &Parameters,
     judgement: &mut Judgement<'_>,
 ) -> Result<(), AlarmKind> {
@@ -31,7 +32,7 @@ pub(crate) fn forward(
             }
             (AdvisoryKind::ReversedLine, AlarmKind::ReversedLine, margin.abs())
         }
-        Shape::Arc { .. } if whole_circle => return Ok(()),
+        Shape::Arc { .. } if exempt => return Ok(()),
         Shape::Arc { .. } => {
             // [TRC-WEDGE-03]
             let (exact, margin) = arc_margin(element, start, end);
@@ -53,10 +54,12 @@ pub(crate) fn forward(
 /// The exact answer for an arc, and how far its nearer boundary lies: where the tool's start and end are one point, or
 /// where the two sweeps differ by exactly a half turn.
 fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Ordering, Real) {
-    let Shape::Arc { centre, sense, full, .. } = &element.shape else {
+    let Shape::Arc { centre, sense, full, entry, .. } = &element.shape else {
         return (Ordering::Greater, Real::zero());
     };
-    let (from, to) = (start.minus(centre), end.minus(centre));
+    // [TRC-START-09] the tool's sweep is measured about the moved centre. [TRC-SIDE-08] T is less than a full turn.
+    let tool_centre = entry.as_deref().map_or(centre, |entry| &entry.centre);
+    let (from, to) = (start.minus(tool_centre), end.minus(tool_centre));
     let tool = Sweep::between(&from, &to, *sense);
     let programmed = Sweep::between(&element.start.minus(centre), &element.end.minus(centre), *sense);
     let backwards = differ_by_more_than_half_turn(&tool, &programmed, *full);
