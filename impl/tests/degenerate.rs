@@ -198,7 +198,7 @@ proptest! {
 
     #[test]
     fn line_in_of_no_length(frame in frame()) {
-        let lost = Parameters { non_moving_allowed: 0, ..SEED_MILL };
+        let lost = Parameters { non_moving_allowed: Some(0), ..SEED_MILL };
         let rest = [Block::empty(), frame.arc((0, 20), (0, 10), LEFT)];
         let (steps, alarm) = frame.run(frame.length(2), &lost, &rest);
         prop_assert_eq!(alarm, None);
