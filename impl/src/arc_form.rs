@@ -91,7 +91,8 @@ impl Element {
             return Err(AlarmKind::EndOffArc);
         }
         let centre = start + to_centre;
-        let arc = Arc { centre, start_ray: -toward, end_ray, swept_from: -toward, start_radius, end_radius, sense, full };
+        let arc =
+            Arc { centre, start_ray: -toward, end_ray, swept_from: -toward, start_radius, end_radius, sense, full };
         // The vector to the centre is an input; that from the centre to the end is a difference of coordinates.
         let end_error = if full { 1.0 } else { 1.0 + scale / end_radius };
         self.set_round(start, end, arc, scale, [1.0, end_error]);

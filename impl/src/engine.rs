@@ -144,7 +144,8 @@ impl Engine {
             rapid: block.rapid,
             swapped: scene.state.swapped,
             zero_length: scene.state.zero_length_move == ZeroLengthMove::BreaksLookAhead
-                && matches!(block.movement, Movement::Line { .. }) && kind == Kind::Still,
+                && matches!(block.movement, Movement::Line { .. })
+                && kind == Kind::Still,
             stops: block.stops_look_ahead,
             not_in_mode: block.not_in_mode,
         };

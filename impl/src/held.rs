@@ -39,11 +39,11 @@ impl Held {
     pub fn push(&mut self, rapid: bool) {
         if self.count == 0 {
             self.rapid = rapid;
-        } else if rapid != self.last() {
-            if let Some(place) = self.changes.get_mut(usize::from(self.changed)) {
-                *place = self.count;
-                self.changed += 1;
-            }
+        } else if rapid != self.last()
+            && let Some(place) = self.changes.get_mut(usize::from(self.changed))
+        {
+            *place = self.count;
+            self.changed += 1;
         }
         self.count = self.count.saturating_add(1);
     }

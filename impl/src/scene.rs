@@ -2,9 +2,7 @@
 
 use core::cmp::Ordering;
 
-use radcomp_spec::parameters::{
-    CornerOwner, EqualRadius, NegativeRadius, ReversedPath, StartUp, ZeroLengthMove,
-};
+use radcomp_spec::parameters::{CornerOwner, EqualRadius, NegativeRadius, ReversedPath, StartUp, ZeroLengthMove};
 use radcomp_spec::{AlarmKind, Clause, Parameters, Segment, Side, Step, clause};
 
 use crate::element::{Element, sigma};

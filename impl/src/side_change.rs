@@ -27,9 +27,8 @@ pub(crate) fn contact(first: &Element, second: &Element, radius: f64, within: bo
         junction.set(clause, first.end_vector(radius));
         return true;
     }
-    let counts = |common: &Common| {
-        !within || within_first(first, radius, common) && within_second(second, radius, common)
-    };
+    let counts =
+        |common: &Common| !within || within_first(first, radius, common) && within_second(second, radius, common);
     let common = match commons(first, second, radius, turn) {
         Commons::None => None,
         Commons::One(common) => Some(common).filter(counts),

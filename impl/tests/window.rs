@@ -176,10 +176,9 @@ fn all_sequences_of_every_start_and_end() {
     for start_up in [StartUp::TypeA, StartUp::EntryNormal] {
         for start_up_without_movement in [StartUpWithoutMovement::None, StartUpWithoutMovement::Shift] {
             for start_up_arc in [StartUpArc::Alarm, StartUpArc::MovedCentre] {
-                for (cancel, cancel_without_movement) in [
-                    (Cancel::TypeA, CancelWithoutMovement::Shift),
-                    (Cancel::TypeB, CancelWithoutMovement::None),
-                ] {
+                for (cancel, cancel_without_movement) in
+                    [(Cancel::TypeA, CancelWithoutMovement::Shift), (Cancel::TypeB, CancelWithoutMovement::None)]
+                {
                     for (same_code, start_up_lost) in [
                         (SameCode::Ordinary, StartUpLost::NoVector),
                         (SameCode::Normal, StartUpLost::NoVector),

@@ -73,7 +73,8 @@ fn tip_path(profile: &Profile, example: &Example, steps: &[Step<f64>], radius: f
     let parameters = &profile.parameters;
     let no_vector = parameters.start_up_lost == StartUpLost::NoVector && parameters.start_up != StartUp::EntryNormal;
     let cancel_mode = |step: &Step<f64>| {
-        [clause::TRC_MODE_01, clause::TRC_CANCEL_02, clause::TRC_CANCEL_03, clause::TRC_CANCEL_06].contains(&step.clause)
+        [clause::TRC_MODE_01, clause::TRC_CANCEL_02, clause::TRC_CANCEL_03, clause::TRC_CANCEL_06]
+            .contains(&step.clause)
             || no_vector && step.clause == clause::TRC_START_04
     };
     let end = |step: &Step<f64>| match step.segment {
@@ -119,7 +120,6 @@ fn worked_examples() {
 #[test]
 fn vectors() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/vectors");
-    let vectors =
-        check_all(folder, &mut Vec::new(), |text| text.split("[[vector]]\n").skip(1).map(Example).collect());
+    let vectors = check_all(folder, &mut Vec::new(), |text| text.split("[[vector]]\n").skip(1).map(Example).collect());
     assert!(vectors > 15, "only {vectors} vectors");
 }

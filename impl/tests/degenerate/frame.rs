@@ -53,7 +53,12 @@ impl Frame {
     }
 
     /// The program that starts so, goes on to (0, 0), and then as told.
-    pub fn run(&self, radius: i64, parameters: &Parameters, rest: &[Block<f64>]) -> (Vec<Step<f64>>, Option<AlarmKind>) {
+    pub fn run(
+        &self,
+        radius: i64,
+        parameters: &Parameters,
+        rest: &[Block<f64>],
+    ) -> (Vec<Step<f64>>, Option<AlarmKind>) {
         let mut blocks = self.start(radius);
         blocks.push(self.line(0, 0));
         blocks.extend_from_slice(rest);

@@ -83,7 +83,7 @@ proptest! {
 
     #[test]
     fn entries_that_turn_by_a_right_angle(frame in frame()) {
-        // From (0, 0) about (0, 5·5) to (5·5 - 7, 5·5 + 24), the tool outside: dot(S - V, C - V) vanishes on the tangent.
+        // From (0, 0) about (-4, 3) to (1, 3), the tool inside.
         let entry = Parameters { start_up_arc: StartUpArc::MovedCentre, ..SEED_MILL };
         let arc = |radius| {
             let arc = frame.arc((1, 3), (-4, 3), LEFT);
