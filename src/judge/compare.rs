@@ -116,7 +116,8 @@ fn first_difference(
     while i < expected.len() || j < observed.len() {
         let (here, there) = (expected.get(i), observed.get(j));
         let Some(difference) = differ(here, there, tolerance, blocks) else {
-            (here_at, there_at) = (here.map_or(here_at, |stroke| stroke.to), there.map_or(there_at, |stroke| stroke.to));
+            (here_at, there_at) =
+                (here.map_or(here_at, |stroke| stroke.to), there.map_or(there_at, |stroke| stroke.to));
             (i, j) = (i + 1, j + 1);
             continue;
         };

@@ -86,7 +86,8 @@ impl Walk<'_> {
         if place.both {
             place.outcome_ahead = Some(Real::zero());
             place.answer_ahead = Some(Real::zero());
-            let no_way = |path: &Path, at, way| way != Way::Long && path.moves.get(at).is_some_and(Move::may_have_no_length);
+            let no_way =
+                |path: &Path, at, way| way != Way::Long && path.moves.get(at).is_some_and(Move::may_have_no_length);
             if no_way(outcome, i, self.way(outcome, i, &Real::zero())) && self.near(i + 1, j) {
                 self.reach(i + 1, j).both = true;
             }
@@ -150,7 +151,8 @@ impl Walk<'_> {
 
     /// Which way round an arc goes whose ends lie near each other.
     fn way(&self, path: &Path, at: usize, grain_squared: &Real) -> Way {
-        let Some(Shape::Arc { centre, direction, full: false }) = path.moves.get(at).map(|element| &element.shape) else {
+        let Some(Shape::Arc { centre, direction, full: false }) = path.moves.get(at).map(|element| &element.shape)
+        else {
             return Way::Either;
         };
         let (from, to) = (path.after(at), path.after(at + 1));

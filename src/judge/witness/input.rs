@@ -78,6 +78,7 @@ pub(super) fn halfway(from: &[Block<Rational>], to: &[Block<Rational>]) -> Vec<B
 
 /// The largest difference of two programs in one number.
 pub(super) fn change(from: &[Block<Rational>], to: &[Block<Rational>]) -> Rational {
-    let places = from.iter().enumerate().flat_map(|(index, block)| (0..numbers(block)).map(move |number| (index, number)));
+    let places =
+        from.iter().enumerate().flat_map(|(index, block)| (0..numbers(block)).map(move |number| (index, number)));
     places.map(|place| (number_of(to, place) - number_of(from, place)).abs()).max().unwrap_or_default()
 }
