@@ -30,12 +30,15 @@ pub(crate) fn enter(
     if sign(length(from_end) - radius, scale) != Ordering::Greater {
         return Err(AlarmKind::EntryTooShort);
     }
+    element.side = sigma(side);
     match element.arc {
+        // With the vector at the centre no circle leads to it. [TRC-ARC-08]
+        Some(_) if element.is_point(radius) => Err(AlarmKind::NoEntryArc),
         None => {
             element.set_line(from, element.end);
             Ok(())
         }
-        Some(arc) => enter_on_arc(element, arc, from_end, sigma(side) * arc.sense * radius, scale),
+        Some(arc) => enter_on_arc(element, arc, from_end, element.side * arc.sense * radius, scale),
     }
 }
 

@@ -202,7 +202,8 @@ pub(crate) fn corner(
         _ if rules.straight > 0.0 && turn.against(-rules.straight) != Ordering::Less => {
             // [TRC-CORNER-16]
             junction.set(clause::TRC_CORNER_16, first.end_vector(radius));
-            junction.starts_on_normal = false;
+            // Without a radius every normal ends at P.
+            junction.starts_on_normal = radius == 0.0;
             Ok(())
         }
         Ordering::Equal if rules.reversal == Reversal::Alarm => Err(AlarmKind::Reversal),
