@@ -85,3 +85,50 @@ fn off_axis(direction: &Vector, reach: &Real) -> Real {
     let sine = direction.b.abs().checked_div(&direction.length()).unwrap_or_else(Real::zero);
     &sine * reach
 }
+
+#[cfg(test)]
+mod tests {
+    use radcomp_spec::Direction;
+    use radcomp_spec::profile::Profile;
+
+    use super::*;
+    use crate::decision::Sink;
+    use crate::element::EntryArc;
+
+    struct Silent;
+
+    impl Sink for Silent {}
+
+    fn point(a: (i64, i64), b: (i64, i64)) -> Vector {
+        Vector::new(Real::rational(a.into()), Real::rational(b.into()))
+    }
+
+    /// An entry from (-14/5, -2/5) to (0, 1) about (0, -5/2), for an arc about (0, -10). From there to (0, -6) the tool
+    /// sweeps 233° about the moved centre, but no more than the program, 16°, about the programmed one.
+    #[test]
+    fn an_entry_sweeps_about_its_moved_centre() {
+        let (start, end) = (point((-14, 5), (-2, 5)), point((0, 1), (0, 1)));
+        let radius = Real::integer(10);
+        let entry = EntryArc {
+            start: start.clone(),
+            centre: point((0, 1), (-5, 2)),
+            radius: Real::rational((7, 2).into()),
+            end: point((0, 1), (1, 1)),
+        };
+        let shape = Shape::Arc {
+            centre: point((0, 1), (-10, 1)),
+            sense: Direction::Clockwise,
+            start_radius: radius.clone(),
+            end_radius: radius,
+            full: false,
+            entry: Some(Box::new(entry)),
+        };
+        let element = Element { start: start.clone(), end, shape };
+        let mut parameters = Profile::builtin("seed-mill").unwrap().parameters;
+        parameters.reversed_path = ReversedPath::Alarm;
+        let judgement = &mut Judgement { sink: &mut Silent, block: 0 };
+        let mut looked_at = |to: Vector| forward(&element, &start, &to, false, &parameters, judgement);
+        assert_eq!(looked_at(point((0, 1), (-6, 1))), Err(AlarmKind::ReversedArc));
+        assert_eq!(looked_at(point((0, 1), (1, 1))), Ok(()));
+    }
+}

@@ -1,4 +1,4 @@
-//! Every worked example of the specification and every vector, run through the model alone and met exactly.
+//! Every worked example of the specification, every vector, and those of `rules.toml`, run through the model alone and met exactly.
 //!
 //! The reader of programs here is small: it knows the words of the examples, in millimetres, and refuses nothing. What
 //! the project's own program reader refuses is that reader's to test.
@@ -20,6 +20,7 @@ fn all() -> Vec<(String, Example)> {
             examples.push((name, Example::read(example.text)));
         }
     }
+    examples.extend(example::vectors(include_str!("rules.toml")));
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/vectors");
     for entry in std::fs::read_dir(folder).expect("the folder of vectors") {
         let path = entry.expect("a readable entry").path();
