@@ -63,6 +63,9 @@ fn extended(
     turn: Turn,
     junction: &mut Junction,
 ) -> Result<(), AlarmKind> {
+    if meet::concentric(first, second) {
+        return Err(AlarmKind::NoIntersection);
+    }
     if radius == 0.0 {
         // Without a radius P is the intersection, and on the normal of an arc.
         junction.set(clause::TRC_CORNER_14, first.end);

@@ -20,7 +20,7 @@ use core::cmp::Ordering;
 
 use crate::element::Element;
 use crate::junction::Turn;
-use crate::plane::{Vector, dot, greater, length};
+use crate::plane::{Vector, dot, greater, length, magnitude};
 use crate::sign::sign;
 
 /// A common point of two offset curves, relative to P.
@@ -101,6 +101,17 @@ pub(crate) fn commons(first: &Element, second: &Element, radius: f64, turn: Turn
         return Commons::One(one);
     }
     Commons::Two(one, other)
+}
+
+/// The two arcs have one centre; P being on both, so are their offsets' circles about it.
+pub(crate) fn concentric(first: &Element, second: &Element) -> bool {
+    match (&first.arc, &second.arc) {
+        (Some(one), Some(two)) => {
+            let apart = one.end_ray * one.end_radius - two.start_ray * two.start_radius;
+            sign(magnitude(apart), greater(first.scale, second.scale)) == Ordering::Equal
+        }
+        _ => false,
+    }
 }
 
 /// The circle of an entry move about P itself touches the other curve at its normal. [TRC-START-09]

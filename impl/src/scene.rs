@@ -150,26 +150,22 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         self.complete(side);
         let State { radius, rules, elements, junctions, pending, .. } = &mut *self.state;
         let (first, second) = places(*pending);
-        let junction = &mut junctions[second];
+        let (first, second, junction) = (&elements[first], &elements[second], &mut junctions[second]);
         match meeting {
-            Meeting::Corner => junction::corner(&elements[first], &elements[second], *radius, rules, junction),
+            Meeting::Corner => junction::corner(first, second, *radius, rules, junction),
+            Meeting::SideChange => junction::change_of_side(first, second, *radius, rules, junction),
+            Meeting::Cancel => type_b::cancel(first, second, *radius, rules, junction),
+            Meeting::Shift => {
+                junction.set(clause::TRC_START_08, second.start_vector(*radius));
+                Ok(())
+            }
             Meeting::StartUp if rules.start_up == StartUp::TypeB => {
-                // On the side in force there. [TRC-START-06]
-                let before = Element { side: sigma(side), ..elements[first] };
-                type_b::start_up(&before, &elements[second], *radius, rules, junction)
+                type_b::start_up(first, second, *radius, rules, junction)
             }
             Meeting::StartUp => {
-                junction.set(clause::TRC_START_02, elements[second].start_vector(*radius));
+                junction.set(clause::TRC_START_02, second.start_vector(*radius));
                 Ok(())
             }
-            Meeting::Shift => {
-                junction.set(clause::TRC_START_08, elements[second].start_vector(*radius));
-                Ok(())
-            }
-            Meeting::SideChange => {
-                junction::change_of_side(&elements[first], &elements[second], *radius, rules, junction)
-            }
-            Meeting::Cancel => type_b::cancel(&elements[first], &elements[second], *radius, rules, junction),
         }
     }
 

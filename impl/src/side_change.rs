@@ -9,8 +9,8 @@ use radcomp_spec::clause;
 use crate::arc_form::Arc;
 use crate::element::Element;
 use crate::junction::{Junction, Turn};
-use crate::meet::{Common, Commons, commons};
-use crate::plane::{Vector, cross, dot, greater, length, magnitude};
+use crate::meet::{Common, Commons, commons, concentric};
+use crate::plane::{Vector, cross, dot, length};
 use crate::sign::sign;
 
 /// Forms the junction at the contact point, if one counts; answers whether one does. With `within` it counts only near
@@ -45,17 +45,6 @@ pub(crate) fn contact(first: &Element, second: &Element, radius: f64, within: bo
         junction.leave_normals();
     }
     common.is_some()
-}
-
-/// The two arcs have one centre; P being on both, so are their offsets' circles about it.
-fn concentric(first: &Element, second: &Element) -> bool {
-    match (&first.arc, &second.arc) {
-        (Some(one), Some(two)) => {
-            let apart = one.end_ray * one.end_radius - two.start_ray * two.start_radius;
-            sign(magnitude(apart), greater(first.scale, second.scale)) == Ordering::Equal
-        }
-        _ => false,
-    }
 }
 
 /// The point lies on the first element's offset, extended by the radius.

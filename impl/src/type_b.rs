@@ -9,10 +9,11 @@ use crate::element::Element;
 use crate::junction::{Junction, Turn};
 use crate::rules::Rules;
 
-/// Forms the junction behind a start-up block, which is taken on the side of the element after it.
+/// Forms the junction behind a start-up block.
 ///
 /// # Errors
 /// As [`corner::outer`].
+#[inline(never)]
 pub(crate) fn start_up(
     first: &Element,
     second: &Element,
@@ -20,6 +21,8 @@ pub(crate) fn start_up(
     rules: &Rules,
     junction: &mut Junction,
 ) -> Result<(), AlarmKind> {
+    // The corner is that of the side in force in the element after it.
+    let first = &Element { side: second.side, ..*first };
     let turn = Turn::between(first, second);
     if !goes_around(turn, first.side, rules) {
         junction.set(clause::TRC_START_02, second.start_vector(radius));
@@ -38,6 +41,7 @@ pub(crate) fn start_up(
 ///
 /// # Errors
 /// As [`corner::outer`].
+#[inline(never)]
 pub(crate) fn cancel(
     first: &Element,
     second: &Element,

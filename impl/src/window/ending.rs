@@ -72,8 +72,7 @@ impl Window {
                 self.held.push(event.rapid);
                 return Ok(());
             }
-            self.lose(clause::TRC_LOOK_03, geometry)?;
-            self.lost = true;
+            self.lose_at_once(geometry)?;
         }
         self.stand(block, event, geometry);
         Ok(())
@@ -95,10 +94,13 @@ impl Window {
     /// [TRC-LOOK-08]
     #[inline(always)]
     pub(super) fn stop_behind<G: Geometry>(&mut self, event: Event, geometry: &mut G) -> Result<(), Alarm> {
-        if event.stops {
-            self.lose(clause::TRC_LOOK_03, geometry)?;
-            self.lost = true;
-        }
+        if event.stops { self.lose_at_once(geometry) } else { Ok(()) }
+    }
+
+    #[cold]
+    fn lose_at_once<G: Geometry>(&mut self, geometry: &mut G) -> Result<(), Alarm> {
+        self.lose(clause::TRC_LOOK_03, geometry)?;
+        self.lost = true;
         Ok(())
     }
 
