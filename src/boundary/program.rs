@@ -80,12 +80,13 @@ fn after(figure: &Figure) -> Option<Point> {
     Some(last.plus(&lengthened(along, &figure.tool)))
 }
 
-/// A vector along a move at one of its ends; none for a line of no length and an arc with R.
+/// A vector along a move at one of its ends; none for a move whose ends are one point.
 fn heading(shape: &Shape, at: &Point, start: &Point, end: &Point) -> Option<Point> {
     let along = match shape {
         Shape::Line => end.minus(start),
         Shape::Arc { centre, sense } => at.minus(centre).perp().times(&sign(*sense)),
-        Shape::Radius { .. } => return None,
+        // Exactly along a half turn, and along any other arc nearly enough to lead into it.
+        Shape::Radius { sense, .. } => at.plus(at).minus(start).minus(end).perp().times(&sign(*sense)),
     };
     (along != Point::origin()).then_some(along)
 }
