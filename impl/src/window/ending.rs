@@ -34,13 +34,12 @@ impl Window {
             return self.fault(block, kind, geometry);
         }
         if let Some(pending) = self.pending {
-            let meeting = match (pending.start, side == self.side) {
-                (Start::Block, _) => Meeting::StartUp,
-                (Start::Shift, _) => Meeting::Shift,
-                (Start::No | Start::Entry, true) => Meeting::Corner,
-                (Start::No | Start::Entry, false) => Meeting::SideChange,
+            let junction = if side == self.side && matches!(pending.start, Start::No | Start::Entry) {
+                geometry.junction(Meeting::Corner, side)
+            } else {
+                rare_junction(pending.start, side, geometry)
             };
-            match geometry.junction(meeting, side) {
+            match junction {
                 Ok(junction) => self.settle(End::Junction(junction), clause::TRC_LOOK_02, geometry)?,
                 Err(kind) => return self.fault(block, kind, geometry),
             }
@@ -166,4 +165,15 @@ impl Window {
             geometry.hold(block, rapid, clause);
         }
     }
+}
+
+/// Forms a junction that is no corner. Such junctions are rare, and their code stands apart.
+#[inline(never)]
+fn rare_junction<G: Geometry>(start: Start, side: Side, geometry: &mut G) -> Result<G::Junction, AlarmKind> {
+    let meeting = match start {
+        Start::Block => Meeting::StartUp,
+        Start::Shift => Meeting::Shift,
+        Start::No | Start::Entry => Meeting::SideChange,
+    };
+    geometry.junction(meeting, side)
 }
