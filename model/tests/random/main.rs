@@ -67,7 +67,7 @@ fn difference(left: Vec<Told>, right: Vec<Told>) -> Option<String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, max_shrink_iters: 300, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 400, max_shrink_iters: 300, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// A block ends in its outcome or in an alarm, in the order of blocks.
     #[test]
