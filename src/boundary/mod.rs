@@ -79,7 +79,12 @@ pub fn triples(kind: DecisionKind, seed: u64, number: u64, reach: Reach) -> Opti
         return None;
     }
     let mut choice = Choice::new(seed, kind as u64, number);
-    let figure = (0..MOST_DRAWS).find_map(|_| place::place(figure(kind, &mut choice, reach)?, &mut choice))?;
+    let figure = (0..MOST_DRAWS).find_map(|_| {
+        let figure = figure(kind, &mut choice, reach)?;
+        // A corner that counts as straight is not formed, whatever it was to decide ([TRC-CORNER-16]).
+        let formed = kind == DecisionKind::StraightBand || !program::has_straight_corner(&figure, reach);
+        formed.then(|| place::place(figure, &mut choice)).flatten()
+    })?;
     let mut off = || [choice.between(-8, 8) * 1000 + 500, choice.between(-8, 8) * 1000 + 500];
     let ends = Ends { approach: off(), away: off(), code_apart: choice.below(3) == 0 };
     let at = |steps| program::program(&place::neighbour(&figure, steps), &ends, reach);

@@ -66,6 +66,23 @@ pub(super) fn program(figure: &Figure, ends: &Ends, reach: Reach) -> Vec<Block<R
     blocks
 }
 
+/// Whether a corner turns, but by no more than what counts as straight.
+pub(super) fn has_straight_corner(figure: &Figure, reach: Reach) -> bool {
+    let limit = reach.parameters().straight_band_cosine;
+    let limit = Rational::from((limit.numerator, limit.denominator));
+    let corners = figure.moves.windows(2).zip(figure.vertices.windows(3));
+    !limit.is_zero()
+        && corners.into_iter().any(|(moves, points)| {
+            let first = heading(&moves[0].shape, &points[1], &points[0], &points[1]);
+            let second = heading(&moves[1].shape, &points[1], &points[1], &points[2]);
+            first.zip(second).is_some_and(|(first, second)| {
+                let (cross, dot) = (first.cross(&second), first.dot(&second));
+                let least = Rational::from(limit.square_ref()) * first.length_squared() * second.length_squared();
+                !cross.is_zero() && dot > 0 && dot.square() >= least
+            })
+        })
+}
+
 /// A point from which a straight line, longer than the tool radius, leads into the first move without a turn.
 fn before(figure: &Figure) -> Option<Point> {
     let (first, second) = (figure.vertices.first()?, figure.vertices.get(1)?);

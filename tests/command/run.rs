@@ -189,7 +189,7 @@ fn blocks_with_a_slash_are_skipped_on_demand() {
 fn the_radius_option_takes_the_place_of_tool_1() {
     let options = [&FIRST[..], &["--radius", "2"]].concat();
     assert!(printed(radcomp(&options)).contains("X     -2.000000   Y      0.000000"));
-    for wrong in ["-1", "five", "1e3", "1.0000000001"] {
+    for wrong in ["--1", "five", "1e3", "1.0000000001"] {
         let complaint = complaint(radcomp(&[&FIRST[..], &["--radius", wrong]].concat()), 2);
         assert!(complaint.contains("a radius is a decimal"), "{complaint}");
     }
