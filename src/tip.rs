@@ -48,5 +48,6 @@ fn has_vector<N>(step: &Step<N>, parameters: &Parameters) -> bool {
     let arc = matches!(step.segment, Segment::Arc { .. });
     let lost = parameters.start_up_lost == StartUpLost::NoVector && parameters.start_up != StartUp::EntryNormal && !arc;
     let programmed = [clause::TRC_MODE_01, clause::TRC_CANCEL_02, clause::TRC_CANCEL_03, clause::TRC_CANCEL_06];
-    !programmed.contains(&step.clause) && !(lost && step.clause == clause::TRC_START_04)
+    let without_vector = lost && step.clause == clause::TRC_START_04;
+    !without_vector && !programmed.contains(&step.clause)
 }

@@ -7,9 +7,11 @@ use std::thread;
 
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use radcomp::boundary;
 use radcomp::certify::{Campaign, Failure as Failed, Level, Outcome, certify};
 use radcomp::device::Builtin;
 use radcomp::explain::first_sentence;
+use radcomp::generate::Reach;
 use radcomp::judge::{Budget, Grade, Verdict as Judgement};
 use radcomp::report::{BrokenRecord, Cause, Head, Report};
 use radcomp_spec::profile::Profile;
@@ -92,6 +94,7 @@ impl Certify {
         let campaign = self.campaign()?;
         let mut out = terminal::output();
         writeln!(out, "certify {}, profile {}, level {}", self.device, campaign.profile.name, self.level)?;
+        writeln!(out, "{}: radcomp's reading of its sources, not its maker's word", campaign.profile.title)?;
         let grade = match campaign.budget.grade {
             Grade::Binary64 => "binary64, β = 2⁻⁴⁰ × the largest number of each program",
             Grade::Resolution => "resolution, β = half the least input increment",
@@ -191,8 +194,11 @@ fn print(out: &mut dyn Write, outcome: &Outcome, profile: &Profile) -> Result<()
     for (id, [negative, zero, positive]) in &outcome.tally.decisions {
         writeln!(out, "{id:<18}{negative:>10}{zero:>10}{positive:>10}")?;
     }
-    let missing: Vec<_> =
-        outcome.tally.one_sided().iter().map(|(kind, side)| format!("{} ({side})", kind.id())).collect();
+    // What the profile never asks is not missed.
+    let reach = Reach::of(profile);
+    let sides = outcome.tally.one_sided();
+    let asked = sides.iter().filter(|(kind, _)| boundary::is_asked(*kind, reach));
+    let missing: Vec<_> = asked.map(|(kind, side)| format!("{} ({side})", kind.id())).collect();
     if !missing.is_empty() {
         writeln!(out, "not exercised: {}", missing.join(", "))?;
     }

@@ -71,7 +71,7 @@ impl Search<'_> {
             for number in 0..input::numbers(&best[index]) {
                 let place = (index, number);
                 let now = input::number_of(best, place);
-                let at = Rational::from(&now - input::number_of(self.blocks, place)).to_f64();
+                let at = (&now - input::number_of(self.blocks, place)).to_f64();
                 // Toward the program's own number, so that the probe stays within the band.
                 let probe = if at > 0.0 { -PROBE * self.beta } else { PROBE * self.beta };
                 let moved = input::with(best, place, &(now + Rational::from_f64(probe)?));
