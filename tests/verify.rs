@@ -147,8 +147,8 @@ fn other_branches_in_the_band_are_looked_at() {
     is_refuted(by_hand("exact", &tight, &refused), "part at N1");
     is_confirmed(by_hand("admissible-without-witness", &tight, &refused));
     is_refuted(by_hand("inadmissible", &tight, &refused), "on other branches");
-    // So may one that keeps the tolerance by less than 2·β, but none that keeps it by more: the end and the centre, each
-    // along its radius, may move by β.
+    // So may one that keeps the tolerance by less than 2·β, but none that keeps it by more: the end and the centre
+    // may move by β each. The centre word of exactly 0 does not count as a number that may move.
     for (end, confirmed) in [("5.00901", true), ("5.00899", false)] {
         let case = by_hand("admissible-without-witness", &arc(end), &refused);
         if confirmed { is_confirmed(case) } else { is_refuted(case, "no combination") }
