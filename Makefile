@@ -2,7 +2,7 @@
 
 CARGO ?= cargo
 # The control profiles that `make certify` runs the built-in device against.
-PROFILES ?= seed-mill mori-lathe yasnac-lx
+PROFILES ?= $(basename $(notdir $(wildcard spec/profiles/*.toml)))
 LEVEL ?= 1
 TARGET_DIR := $(or $(CARGO_TARGET_DIR),target)
 # CI never rewrites Cargo.lock.

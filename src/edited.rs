@@ -2,7 +2,7 @@
 //! so that a mutated byte is a small change of one number, down to 10⁻⁹ mm, or of one block.
 
 use radcomp_spec::profile::{BUILTIN, Profile};
-use radcomp_spec::{Block, Centre, Compensation, DecisionKind, Movement, OuterCorner, Side};
+use radcomp_spec::{Block, Centre, Compensation, DecisionKind, Movement, Side};
 use rug::Rational;
 
 use crate::boundary;
@@ -73,9 +73,9 @@ fn change(blocks: &mut Vec<Block<Rational>>, what: u8, which: usize, amount: &Ra
             let copy = blocks[which].clone();
             blocks.insert(which, if how & 1 == 0 { Block::empty() } else { copy });
         }
-        _ if reach.corner_codes && how & 1 == 1 => {
-            let corner = if how & 2 == 0 { OuterCorner::Arc } else { OuterCorner::Intersection };
-            blocks[which].corner = Some(corner);
+        _ if !reach.corners().is_empty() && how & 1 == 1 => {
+            let corners = reach.corners();
+            blocks[which].corner = Some(corners[usize::from(how >> 1 & 1) % corners.len()]);
         }
         _ => blocks[which].compensation = next_code(blocks[which].compensation),
     }

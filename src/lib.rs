@@ -14,5 +14,6 @@ pub mod minimise;
 pub mod plot;
 pub mod report;
 pub mod safety;
+pub mod tip;
 pub mod vectors;
 pub mod verify;

@@ -4,8 +4,7 @@
 use radcomp::certify::{Campaign, Level, Outcome, certify};
 use radcomp::device::Builtin;
 use radcomp::judge::{Budget, Grade};
-use radcomp_spec::parameters::*;
-use radcomp_spec::profile::{BUILTIN, Profile};
+use radcomp_spec::profile::{BUILTIN, PARAMETERS, Parameter, Profile};
 
 fn run(profile: Profile, seed: u64, programs: u64) -> Outcome {
     let budget = Budget { grade: Grade::Binary64, least_increment: 0.001, delta: 1e-6 };
@@ -29,32 +28,139 @@ fn a_hundred_thousand_corners_agree_under_the_built_in_profiles() {
     assert!(corners >= 100_000, "{corners} corners");
 }
 
+/// A profile that changes these parameters of a built-in one, given as `name = value`, by their names in the profile.
+fn changed(base: &str, changes: &[String]) -> Profile {
+    let built_in = Profile::builtin(base).expect("built in");
+    let mut text = format!("name = \"changed\"\ntitle = \"changed\"\nextends = \"{base}\"\n");
+    for change in changes {
+        let (name, value) = change.split_once(" = ").expect("name = value");
+        let entry = built_in.provenance.iter().find(|entry| entry.parameter.ends_with(&format!(".{name}")));
+        let entry = entry.unwrap_or_else(|| panic!("no parameter {name}"));
+        let (key, clause) = (entry.parameter, entry.clause);
+        text += &format!("{key} = {{ value = {value}, source = \"D\", clause = \"{clause}\" }}\n");
+    }
+    Profile::parse(&text, "changed.toml").unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Every value of every parameter, each with others that it meets.
+const VARIANTS: &[&str] = &[
+    r#"start-up-lost = "no-vector"; non-moving-allowed = 0"#,
+    r#"outer-corner = "arc"; non-moving-allowed = 8"#,
+    r#"reversal = "alarm"; non-moving-allowed = 1"#,
+    r#"side-change = "two-normals"; non-moving-allowed = "unbounded""#,
+    r#"side-change = "forbidden""#,
+    r#"side-change-after-start-up = "allowed""#,
+    r#"side-change = "forbidden"; side-change-after-start-up = "allowed""#,
+    r#"side-change = "intersection"; negative-radius = "swaps-sides"; side-change-after-start-up = "allowed""#,
+    r#"side-change = "crossing"; negative-radius = "swaps-sides""#,
+    r#"corner-owner = "previous""#,
+    r#"corner-owner = "previous"; reversed-path = "alarm"; read-ahead-stop = "breaks-look-ahead""#,
+    r#"reversed-path = "alarm"; outer-corner = "arc""#,
+    r#"arc-end-tolerance = "0""#,
+    r#"arc-end-tolerance = "0.005"; far-intersection = "2""#,
+    r#"start-up = "type-b"; cancel = "type-b""#,
+    r#"start-up = "type-b"; cancel = "type-b"; start-up-b = "direct"; smallest-corner-cosine = "0.6""#,
+    r#"start-up = "type-b"; cancel = "type-b"; outer-corner = "arc"; corner-owner = "previous"; reversal = "alarm""#,
+    r#"start-up = "type-b"; cancel = "type-b"; arc-extension = "curve"; start-up-lost = "no-vector""#,
+    r#"start-up = "type-b"; cancel = "type-b"; outer-corner = "limit-angle"; corner-limit-cosine = "0.6""#,
+    r#"start-up = "entry-normal"; negative-radius = "swaps-sides""#,
+    r#"start-up = "entry-normal"; start-up-arc = "moved-centre"; side-change = "intersection"; reversed-path = "alarm""#,
+    r#"start-up-arc = "moved-centre"; start-up-lost = "no-vector"; same-code = "normal""#,
+    r#"start-up = "type-b"; start-up-arc = "moved-centre"; side-change-after-start-up = "allowed""#,
+    r#"start-up-without-movement = "shift"; cancel-without-movement = "shift""#,
+    r#"start-up-without-movement = "shift"; same-code = "normal"; zero-length-move = "breaks-look-ahead""#,
+    r#"start-up-without-movement = "shift"; start-up-lost = "no-vector"; read-ahead-stop = "breaks-look-ahead""#,
+    r#"cancel-without-movement = "shift"; cancel = "type-b"; corner-owner = "previous""#,
+    r#"outer-corner = "limit-angle"; corner-limit-cosine = "0.6"; reversal = "outer""#,
+    r#"outer-corner = "limit-angle"; corner-limit-cosine = "1"; arc-extension = "curve""#,
+    r#"arc-extension = "curve"; corner-owner = "previous""#,
+    r#"straight-band-cosine = "0.96"; reversed-path = "alarm""#,
+    r#"straight-band-cosine = "0.6"; outer-corner = "arc"; arc-on-rapid = "line""#,
+    r#"outer-corner = "arc"; arc-on-rapid = "line"; corner-owner = "previous""#,
+    r#"small-vector-limit = "0.5""#,
+    r#"small-vector-limit = "5"; corner-owner = "previous""#,
+    r#"same-code = "normal"; zero-length-move = "breaks-look-ahead"; non-moving-allowed = "unbounded""#,
+    r#"same-code = "alarm"; plane-change = "alarm"; reference-return = "alarm"; machine-coordinates = "alarm""#,
+    r#"tool-change = "alarm"; canned-cycle = "alarm"; set-coordinates = "alarm"; corner-codes = "g450-g451""#,
+    r#"equal-radius = "degenerate-point""#,
+    r#"equal-radius = "degenerate-point"; arc-extension = "curve"; negative-radius = "swaps-sides""#,
+    r#"equal-radius = "degenerate-point"; side-change = "intersection"; reversed-path = "alarm""#,
+    r#"offset-zero = "cancel"; read-ahead-stop = "breaks-look-ahead""#,
+];
+
+fn variants() -> impl Iterator<Item = (&'static str, Profile)> {
+    VARIANTS.iter().map(|variant| {
+        let changes: Vec<_> = variant.split("; ").map(str::to_owned).collect();
+        (*variant, changed("yasnac-lx", &changes))
+    })
+}
+
 #[test]
 fn every_value_of_every_parameter_agrees() {
-    let base = Profile::builtin("yasnac-lx").expect("built in");
-    let ratio = |numerator, denominator| Ratio { numerator, denominator };
-    let p = base.parameters;
-    let variants = [
-        Parameters { start_up_lost: StartUpLost::NoVector, non_moving_allowed: 0, ..p },
-        Parameters { outer_corner: OuterCorner::Arc, non_moving_allowed: MOST_NON_MOVING, ..p },
-        Parameters { reversal: Reversal::Alarm, non_moving_allowed: 1, ..p },
-        Parameters { side_change: SideChange::TwoNormals, ..p },
-        Parameters { side_change: SideChange::Forbidden, ..p },
-        Parameters { side_change_after_start_up: SideChangeAfterStartUp::Allowed, ..p },
-        Parameters {
-            side_change: SideChange::Forbidden,
-            side_change_after_start_up: SideChangeAfterStartUp::Allowed,
-            ..p
-        },
-        Parameters { corner_owner: CornerOwner::Previous, ..p },
-        Parameters { corner_owner: CornerOwner::Previous, reversed_path: ReversedPath::Alarm, ..p },
-        Parameters { reversed_path: ReversedPath::Alarm, outer_corner: OuterCorner::Arc, ..p },
-        Parameters { arc_end_tolerance: ratio(0, 1), ..p },
-        Parameters { arc_end_tolerance: ratio(5, 1000), far_intersection: ratio(2, 1), ..p },
-    ];
-    for (index, parameters) in variants.into_iter().enumerate() {
-        let outcome = run(Profile { parameters, ..base.clone() }, 100 + index as u64, 6_000);
-        assert_green(&outcome, &format!("{parameters:?}"));
+    for (index, (variant, profile)) in variants().enumerate() {
+        assert_green(&run(profile, 100 + index as u64, 6_000), variant);
+    }
+}
+
+/// The words that a parameter can be; none for a number.
+fn words(parameter: &Parameter) -> Vec<String> {
+    let allowed = parameter.allowed();
+    if allowed.starts_with('"') {
+        allowed.split(", ").map(|word| word.trim_matches('"').to_owned()).collect()
+    } else {
+        Vec::new()
+    }
+}
+
+/// What compensation and the generator read; the rest is the program reader's, whose tests are data.
+fn matters(parameter: &Parameter) -> bool {
+    let of_the_reader = ["machine.plane", "machine.x-words", "machine.dummy-first-axis"];
+    matches!(parameter.table(), "machine" | "compensation") && !of_the_reader.contains(&parameter.key)
+}
+
+#[test]
+fn the_variants_and_the_built_in_profiles_have_every_value() {
+    let built_in = BUILTIN.iter().map(|(name, _)| Profile::builtin(name).expect("built in"));
+    let profiles: Vec<_> = built_in.chain(variants().map(|(_, profile)| profile)).collect();
+    let mut missing = Vec::new();
+    for parameter in PARAMETERS.iter().filter(|parameter| matters(parameter)) {
+        for word in words(parameter) {
+            let has = |profile: &Profile| profile.provenance_of(parameter.key).is_some_and(|entry| entry.value == word);
+            if !profiles.iter().any(has) {
+                missing.push(format!("{} = {word}", parameter.key));
+            }
+        }
+    }
+    assert_eq!(missing, Vec::<String>::new());
+}
+
+/// Parameters at random: rules that no control has together meet too.
+#[test]
+fn random_combinations_of_parameters_agree() {
+    // A linear congruential generator: the choices are the same on every machine.
+    let mut state = 12_345_u64;
+    let mut below = |most: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % most
+    };
+    for number in 0..40 {
+        let mut changes = Vec::new();
+        for parameter in PARAMETERS.iter().filter(|parameter| matters(parameter)) {
+            let words = words(parameter);
+            let value = match parameter.name() {
+                "corner-limit-cosine" | "smallest-corner-cosine" => {
+                    ["\"0\"", "\"0.6\"", "\"0.8\""][below(3)].to_owned()
+                }
+                "straight-band-cosine" => ["\"0\"", "\"0\"", "\"0.96\""][below(3)].to_owned(),
+                "small-vector-limit" => ["\"0\"", "\"0\"", "\"0.5\""][below(3)].to_owned(),
+                "non-moving-allowed" => ["1", "3", "\"unbounded\""][below(3)].to_owned(),
+                _ if words.is_empty() => continue,
+                _ => format!("{:?}", words[below(words.len())]),
+            };
+            changes.push(format!("{} = {value}", parameter.name()));
+        }
+        let outcome = run(changed("yasnac-lx", &changes), 500 + number, 1_500);
+        assert_green(&outcome, &changes.join("; "));
     }
 }
 

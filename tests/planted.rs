@@ -93,12 +93,18 @@ fn a_swapped_corner_rule() {
 
 #[test]
 fn look_ahead_one_block_too_short() {
-    is_found(Faulty { parameters: |parameters| parameters.non_moving_allowed -= 1, ..SOUND });
+    is_found(Faulty {
+        parameters: |parameters| parameters.non_moving_allowed = parameters.non_moving_allowed.map(|count| count - 1),
+        ..SOUND
+    });
 }
 
 #[test]
 fn look_ahead_one_block_too_long() {
-    is_found(Faulty { parameters: |parameters| parameters.non_moving_allowed += 1, ..SOUND });
+    is_found(Faulty {
+        parameters: |parameters| parameters.non_moving_allowed = parameters.non_moving_allowed.map(|count| count + 1),
+        ..SOUND
+    });
 }
 
 #[test]

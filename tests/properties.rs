@@ -8,7 +8,7 @@ use radcomp::generate::{self, Reach};
 use radcomp::metamorphic::Motion;
 use radcomp_model::number::Real;
 use radcomp_model::{Decision, Run, run};
-use radcomp_spec::parameters::Parameters;
+use radcomp_spec::parameters::{Cancel, Parameters, SameCode, SideChange, StartUp};
 use radcomp_spec::profile::{BUILTIN, Profile};
 use radcomp_spec::{Block, Centre, Compensation, DecisionKind, Movement, Segment, Side};
 use rug::Rational;
@@ -47,8 +47,7 @@ fn program(profile: usize, seed: u64) -> (Parameters, Vec<Block<Rational>>) {
 
 fn commutes(parameters: &Parameters, blocks: &[Block<Rational>], motion: &Motion) -> Result<(), TestCaseError> {
     let images: Vec<_> = blocks.iter().map(|block| motion.block(block)).collect();
-    let mut scaled = *parameters;
-    scaled.arc_end_tolerance.numerator *= motion.scale;
+    let Some(scaled) = motion.parameters(parameters) else { return Ok(()) };
     let (before, after) = (run(parameters, blocks), run(&scaled, &images));
     prop_assert_eq!(before.alarm, after.alarm);
     let plain: Vec<_> = after.steps.iter().map(|step| (step.block, step.clause.id(), step.segment.clone())).collect();
@@ -73,34 +72,36 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn translation_commutes(profile in 0_usize..3, seed: u64, a in -100_000_i64..100_000, b in -100_000_i64..100_000) {
+    fn translation_commutes(profile in 0_usize..14, seed: u64, a in -100_000_i64..100_000, b in -100_000_i64..100_000) {
         let (parameters, blocks) = program(profile, seed);
         commutes(&parameters, &blocks, &Motion::translation(a, b))?;
     }
 
     #[test]
-    fn mirroring_swaps_the_sides(profile in 0_usize..3, seed: u64) {
+    fn mirroring_swaps_the_sides(profile in 0_usize..14, seed: u64) {
         let (parameters, blocks) = program(profile, seed);
         commutes(&parameters, &blocks, &Motion::mirroring())?;
     }
 
     #[test]
-    fn scaling_by_ten_commutes(profile in 0_usize..3, seed: u64) {
+    fn scaling_by_ten_commutes(profile in 0_usize..14, seed: u64) {
         let (parameters, blocks) = program(profile, seed);
         commutes(&parameters, &blocks, &Motion::scaling())?;
     }
 
     #[test]
-    fn rotation_by_a_pythagorean_angle_commutes(profile in 0_usize..3, seed: u64, which in 0_usize..3) {
+    fn rotation_by_a_pythagorean_angle_commutes(profile in 0_usize..14, seed: u64, which in 0_usize..3) {
         let (parameters, blocks) = program(profile, seed);
         let (a, b, c) = [(3, 4, 5), (-5, 12, 13), (0, -1, 1)][which];
         commutes(&parameters, &blocks, &Motion::rotation(a, b, c))?;
     }
 
     #[test]
-    fn reversal_swaps_the_sides(profile in 0_usize..3, seed: u64) {
+    fn reversal_swaps_the_sides(profile in 0_usize..14, seed: u64) {
         let (parameters, blocks) = program(profile, seed);
-        reverses(&parameters, &blocks)?;
+        if has_no_sense_of_time(&parameters) {
+            reverses(&parameters, &blocks)?;
+        }
     }
 }
 
@@ -206,6 +207,15 @@ fn path(run: &Run) -> Vec<([Real; 2], Option<Segment<Real>>)> {
             Segment::Hold => unreachable!("filtered out"),
         })
         .collect()
+}
+
+/// The same path is run from either end: no rule of the profile looks at what comes first.
+fn has_no_sense_of_time(parameters: &Parameters) -> bool {
+    let ends_alike = parameters.start_up == StartUp::TypeA && parameters.cancel == Cancel::TypeA;
+    let sides_alike = parameters.side_change != SideChange::Crossing;
+    let codes_alike = parameters.same_code == SameCode::Ordinary;
+    let corners_alike = parameters.straight_band_cosine.numerator == 0 && parameters.small_vector_limit.numerator == 0;
+    ends_alike && sides_alike && codes_alike && corners_alike
 }
 
 fn reverses(parameters: &Parameters, blocks: &[Block<Rational>]) -> Result<(), TestCaseError> {

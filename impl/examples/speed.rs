@@ -28,12 +28,28 @@ const PARAMETERS: Parameters = Parameters {
     reversal: Reversal::Outer,
     side_change: SideChange::IntersectionWithin,
     side_change_after_start_up: SideChangeAfterStartUp::Alarm,
-    non_moving_allowed: 2,
+    non_moving_allowed: Some(2),
     corner_owner: CornerOwner::Next,
     reversed_path: ReversedPath::Advisory,
     arc_end_tolerance: Ratio { numerator: 1, denominator: 100 },
     far_intersection: Ratio { numerator: 5, denominator: 1 },
+    start_up_b: StartUpB::ViaNormal,
+    start_up_without_movement: StartUpWithoutMovement::None,
+    start_up_arc: StartUpArc::Alarm,
+    cancel_without_movement: CancelWithoutMovement::None,
+    corner_limit_cosine: NONE,
+    arc_extension: ArcExtension::Tangent,
+    smallest_corner_cosine: NONE,
+    straight_band_cosine: NONE,
+    arc_on_rapid: ArcOnRapid::Arc,
+    small_vector_limit: NONE,
+    same_code: SameCode::Ordinary,
+    negative_radius: NegativeRadius::Alarm,
+    equal_radius: EqualRadius::Alarm,
+    zero_length_move: ZeroLengthMove::NoMovement,
 };
+
+const NONE: Ratio = Ratio { numerator: 0, denominator: 1 };
 
 /// Corners to both sides, of all kinds.
 fn program(with_arcs: bool) -> Vec<Block<f64>> {

@@ -18,6 +18,9 @@ pub(crate) struct Arc {
     pub start_ray: Vector,
     /// Unit vector from the centre to the end.
     pub end_ray: Vector,
+    /// Unit vector from the programmed centre to the programmed start: `start_ray`, but for an entry move.
+    /// [TRC-START-09]
+    pub swept_from: Vector,
     /// Distance of the start from the centre.
     pub start_radius: f64,
     /// Distance of the end from the centre; the two differ within the tolerance. [TRC-ARC-04]
@@ -88,7 +91,8 @@ impl Element {
             return Err(AlarmKind::EndOffArc);
         }
         let centre = start + to_centre;
-        let arc = Arc { centre, start_ray: -toward, end_ray, start_radius, end_radius, sense, full };
+        let arc =
+            Arc { centre, start_ray: -toward, end_ray, swept_from: -toward, start_radius, end_radius, sense, full };
         // The vector to the centre is an input; that from the centre to the end is a difference of coordinates.
         let end_error = if full { 1.0 } else { 1.0 + scale / end_radius };
         self.set_round(start, end, arc, scale, [1.0, end_error]);
@@ -116,10 +120,12 @@ impl Element {
         };
         let along_part = along * halfway;
         let across_part = perp(along) * (left * height);
+        let start_ray = -(along_part + across_part);
         let arc = Arc {
             centre: start + (end - start) * 0.5 + across_part * size,
-            start_ray: -(along_part + across_part),
+            start_ray,
             end_ray: along_part - across_part,
+            swept_from: start_ray,
             start_radius: size,
             end_radius: size,
             sense,

@@ -3,6 +3,7 @@
 use core::cmp::Ordering;
 
 use radcomp_spec::Side;
+use radcomp_spec::parameters::EqualRadius;
 
 use crate::arc_form::Arc;
 use crate::plane::{Vector, direction, greater, lesser, magnitude, perp};
@@ -81,6 +82,11 @@ impl Element {
         self.set_straight(start, start + vector, along, length, greater(magnitude(start), length), 1.0);
     }
 
+    /// Makes this a block without movement at a point. [TRC-START-08]
+    pub fn set_still(&mut self, at: Vector) {
+        self.set_straight(at, at, Vector::new(1.0, 0.0), 0.0, magnitude(at), 1.0);
+    }
+
     #[inline(always)]
     fn set_straight(&mut self, start: Vector, end: Vector, along: Vector, length: f64, scale: f64, error: f64) {
         (self.start, self.end) = (start, end);
@@ -126,12 +132,29 @@ impl Element {
         self.arc.as_ref().map_or(0.0, |arc| self.side * arc.sense / arc.start_radius)
     }
 
-    /// Whether a tool of this radius on this side runs on the outside of the arc, or fits inside. [TRC-ARC-05]
+    /// Whether a tool of this radius on this side runs on the outside of the arc, or fits inside: [TRC-ARC-05], or
+    /// [TRC-ARC-08] as the parameter says.
     #[inline(always)]
-    pub fn tool_fits(&self, side: Side, radius: f64) -> bool {
+    pub fn tool_fits(&self, side: Side, radius: f64, equal: EqualRadius) -> bool {
         self.arc.as_ref().is_none_or(|arc| {
             let smaller = lesser(arc.start_radius, arc.end_radius);
-            sigma(side) * arc.sense < 0.0 || sign(smaller - radius, greater(self.scale, radius)) == Ordering::Greater
+            let inside = sigma(side) * arc.sense > 0.0;
+            !inside
+                || sign(smaller - radius, greater(self.scale, radius)) == Ordering::Greater
+                || equal == EqualRadius::DegeneratePoint && self.has_radius(radius)
+        })
+    }
+
+    /// It is an arc with the tool inside, whose offset is a point. [TRC-ARC-08]
+    pub fn is_point(&self, radius: f64) -> bool {
+        self.arc.as_ref().is_some_and(|arc| self.side * arc.sense > 0.0) && self.has_radius(radius)
+    }
+
+    /// Both radii of the arc are this one.
+    fn has_radius(&self, radius: f64) -> bool {
+        let scale = greater(self.scale, radius);
+        self.arc.as_ref().is_some_and(|arc| {
+            [arc.start_radius, arc.end_radius].iter().all(|own| sign(own - radius, scale) == Ordering::Equal)
         })
     }
 }

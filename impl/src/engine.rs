@@ -1,6 +1,7 @@
 //! The engine: reads blocks, checks their numbers and arcs, and lets the look-ahead drive the geometry.
 
 use nalgebra::Vector2;
+use radcomp_spec::parameters::ZeroLengthMove;
 use radcomp_spec::{Alarm, AlarmKind, Block, Centre, Direction, Movement, Parameters, Step};
 
 use crate::geometry::{Event, Kind};
@@ -28,7 +29,7 @@ pub struct Engine {
 }
 
 /// The greatest magnitude of a coordinate, vector component or radius, in millimetres. [TRC-MODE-07]
-const MOST: f64 = 1e9;
+pub(crate) const MOST: f64 = 1e9;
 
 impl Engine {
     /// An engine at the start of a program: the tool stands at (0, 0), in cancel mode, with radius 0.
@@ -74,6 +75,10 @@ impl Engine {
     #[inline(always)]
     fn read<S: Sink>(&mut self, block: &Block<f64>, sink: &mut S) -> Result<(), Alarm> {
         let start = self.state.position;
+        if block.not_in_mode.is_some() {
+            // The movement words are not looked at. [TRC-MODE-08]
+            return self.stay(block, Kind::Still, radius_in_range(block, &self.state), sink);
+        }
         match &block.movement {
             Movement::Line { end } if *end != <[f64; 2]>::from(start) => {
                 let form = form_line(block, *end, &mut self.state);
@@ -84,7 +89,9 @@ impl Engine {
                 self.take(block, Kind::Arc, form, sink)
             }
             // [TRC-LOOK-01]: a straight move of length zero does not move.
-            Movement::Line { .. } | Movement::None => self.stay(block, Kind::Still, radius_in_range(block), sink),
+            Movement::Line { .. } | Movement::None => {
+                self.stay(block, Kind::Still, radius_in_range(block, &self.state), sink)
+            }
             Movement::Dummy { vector } => {
                 let kind = if *vector == [0.0, 0.0] { Kind::Still } else { Kind::Dummy };
                 let form = form_dummy(block, *vector, &mut self.state);
@@ -124,14 +131,24 @@ impl Engine {
         }
         let mut other_radius = false;
         if let Some(radius) = block.radius {
-            other_radius = radius != scene.state.radius_in_force;
-            // The sum makes one zero of the two.
-            scene.state.radius_in_force = radius + 0.0;
+            other_radius = radius.abs() != scene.state.radius_in_force;
+            (scene.state.radius_in_force, scene.state.swapped) = (radius.abs(), radius < 0.0);
         }
         if let Some(outer) = block.corner {
             scene.state.rules.outer = outer;
         }
-        let event = Event { kind, code: block.compensation, other_radius, rapid: block.rapid };
+        let event = Event {
+            kind,
+            code: block.compensation,
+            other_radius,
+            rapid: block.rapid,
+            swapped: scene.state.swapped,
+            zero_length: scene.state.zero_length_move == ZeroLengthMove::BreaksLookAhead
+                && matches!(block.movement, Movement::Line { .. })
+                && kind == Kind::Still,
+            stops: block.stops_look_ahead,
+            not_in_mode: block.not_in_mode,
+        };
         self.window.read(index, event, &mut scene)?;
         self.state.position = end;
         Ok(())
@@ -141,7 +158,7 @@ impl Engine {
 /// Makes the line that the block moves on the element read. [TRC-MODE-07]
 #[inline(always)]
 fn form_line(block: &Block<f64>, end: [f64; 2], state: &mut State) -> Result<Vector, AlarmKind> {
-    radius_in_range(block)?;
+    radius_in_range(block, state)?;
     let (start, end) = (state.position, in_range(end)?);
     state.next().set_line(start, end);
     Ok(end)
@@ -157,7 +174,7 @@ fn form_arc(
     direction: Direction,
     state: &mut State,
 ) -> Result<Vector, AlarmKind> {
-    radius_in_range(block)?;
+    radius_in_range(block, state)?;
     let (start, end, tolerance) = (state.position, in_range(end)?, state.tolerance);
     match *centre {
         Centre::FromStart(vector) => in_range(vector)?,
@@ -169,7 +186,7 @@ fn form_arc(
 
 /// Makes the straight move that the block stands for, if it does, the element read. [TRC-MODE-07], [TRC-DUMMY-02]
 fn form_dummy(block: &Block<f64>, vector: [f64; 2], state: &mut State) -> Result<(), AlarmKind> {
-    radius_in_range(block)?;
+    radius_in_range(block, state)?;
     let (start, vector) = (state.position, in_range(vector)?);
     if vector != Vector::zeros() {
         state.next().set_dummy(start, vector);
@@ -178,9 +195,9 @@ fn form_dummy(block: &Block<f64>, vector: [f64; 2], state: &mut State) -> Result
 }
 
 #[inline(always)]
-fn radius_in_range(block: &Block<f64>) -> Result<(), AlarmKind> {
+fn radius_in_range(block: &Block<f64>, state: &State) -> Result<(), AlarmKind> {
     match block.radius {
-        Some(radius) if !(0.0..=MOST).contains(&radius) => Err(AlarmKind::OutOfRange),
+        Some(radius) if !(state.least_radius..=MOST).contains(&radius) => Err(AlarmKind::OutOfRange),
         _ => Ok(()),
     }
 }

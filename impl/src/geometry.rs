@@ -22,21 +22,50 @@ pub struct Event {
     pub kind: Kind,
     /// Its compensation code.
     pub code: Option<Compensation>,
-    /// It puts another radius in force than the one before.
+    /// It puts a radius of another magnitude in force than the one before.
     pub other_radius: bool,
     /// It moves at rapid rate.
     pub rapid: bool,
+    /// The radius in force is negative: the sides are exchanged. [TRC-SIDE-07]
+    pub swapped: bool,
+    /// It is a straight move of length zero, and the profile lets that break the look-ahead. [TRC-LOOK-07]
+    pub zero_length: bool,
+    /// It holds a code that stops reading ahead. [TRC-LOOK-08]
+    pub stops: bool,
+    /// The alarm of a code in it that is not for offset mode. [TRC-MODE-08]
+    pub not_in_mode: Option<AlarmKind>,
+}
+
+impl Event {
+    /// A block of this kind that tells nothing else.
+    #[must_use]
+    pub const fn of(kind: Kind) -> Event {
+        Event {
+            kind,
+            code: None,
+            other_radius: false,
+            rapid: false,
+            swapped: false,
+            zero_length: false,
+            stops: false,
+            not_in_mode: None,
+        }
+    }
 }
 
 /// How the pending element and the new one meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Meeting {
-    /// Start-up before an element. [TRC-START-02]
+    /// Start-up of type A or B before an element. [TRC-START-02], [TRC-START-06]
     StartUp,
+    /// Start-up without movement before an element. [TRC-START-08]
+    Shift,
     /// A corner on one side.
     Corner,
-    /// A change of side. [TRC-SIDE-02], [TRC-SIDE-03]
+    /// A change of side. [TRC-SIDE-02] to [TRC-SIDE-06]
     SideChange,
+    /// Cancel of type B. [TRC-CANCEL-05]
+    Cancel,
 }
 
 /// Where the pending element ends.
@@ -55,6 +84,8 @@ pub enum End<J> {
 pub enum Begin {
     /// As start-up block, from where the tool's centre stands. [TRC-START-01]
     StartUp,
+    /// As start-up block without movement. [TRC-START-08]
+    Shift,
     /// Behind the junction just formed.
     Junction,
     /// Behind a junction that was settled without it. [TRC-LOOK-04], [TRC-LOOK-05]
@@ -66,24 +97,34 @@ pub trait Geometry {
     /// A formed junction.
     type Junction;
 
-    /// Whether the tool, on this side, fits the arc of the block read. [TRC-ARC-05]
+    /// Whether the tool, on this side, fits the arc of the block read. [TRC-ARC-05], [TRC-ARC-08]
     fn tool_fits(&mut self, side: Side) -> bool;
+    /// Makes the block read an entry move on this side; it is begun as start-up block next. [TRC-START-07],
+    /// [TRC-START-09]
+    ///
+    /// # Errors
+    /// An alarm at the block read.
+    fn enter(&mut self, side: Side) -> Result<(), AlarmKind>;
     /// Forms the junction between the pending element and the element read, which is on this side.
     ///
     /// # Errors
     /// An alarm at the block read.
     fn junction(&mut self, meeting: Meeting, side: Side) -> Result<Self::Junction, AlarmKind>;
-    /// Emits the pending element; `start_up` when it is the start-up block.
+    /// Emits the pending element; `start_up` when it is a start-up block, but for an entry move, which is looked at as
+    /// other elements are. [TRC-WEDGE-02], [TRC-WEDGE-03]
     ///
     /// # Errors
     /// An alarm at the pending block, of which nothing is emitted then.
     fn settle(&mut self, end: End<Self::Junction>, start_up: bool) -> Result<(), AlarmKind>;
     /// Emits a block without movement.
     fn hold(&mut self, block: usize, rapid: bool, clause: Clause);
-    /// Emits the corner moves that the dummy block read owns.
-    fn dummy(&mut self);
+    /// Emits the corner moves that the block read owns: a dummy block, or a cancel block of type B.
+    fn corner_moves(&mut self);
     /// Emits the block read as a move to its programmed end.
     fn follow(&mut self, clause: Clause);
+    /// Emits the block read as a straight move to the programmed point where it stands, or as a block without movement
+    /// if the tool's centre stands there. [TRC-CANCEL-06]
+    fn retreat(&mut self);
     /// Makes the element read, which is on this side, the pending one.
     fn begin(&mut self, begin: Begin, side: Side);
 }

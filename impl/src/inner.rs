@@ -42,7 +42,7 @@ pub(crate) fn corner(
     } else {
         let z = with_arc(first, second, radius, turn, tangent)?;
         junction.set(clause::TRC_CORNER_04, first.end + z);
-        junction.on_normals = false;
+        junction.leave_normals();
     }
     in_range(junction.first)
 }
@@ -55,6 +55,10 @@ fn with_arc(first: &Element, second: &Element, radius: f64, turn: Turn, tangent:
     let one_plus = if turn.dot >= 0.0 { 1.0 + turn.dot } else { sine / tangent };
     let one_less = sine * tangent;
     let (curvature1, curvature2) = (first.end_curvature(), second.start_curvature());
+    if curvature1.is_infinite() {
+        // The circle of an entry move about P itself, which touches the other curve at its normal. [TRC-START-09]
+        return Ok(second.start_normal() * radius);
+    }
     let (k1, k2) = (radius * curvature1, radius * curvature2);
     let b = one_plus - (k1 + k2);
     let meets = one_plus - 2.0 * (k1 + k2) + 2.0 * k1 * k2;

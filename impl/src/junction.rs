@@ -3,12 +3,13 @@
 use core::cmp::Ordering;
 
 use radcomp_spec::parameters::{Reversal, SideChange};
-use radcomp_spec::{AlarmKind, Clause, Direction, OuterCorner, clause};
+use radcomp_spec::{AlarmKind, Clause, Direction, clause};
 
 use crate::corner;
 use crate::element::Element;
 use crate::inner;
-use crate::plane::{Vector, cross, dot, is_finite};
+use crate::plane::{Vector, cross, dot, greater, is_finite, magnitude};
+use crate::rules::Rules;
 use crate::side_change;
 use crate::sign::sign;
 
@@ -19,8 +20,10 @@ pub(crate) struct Junction {
     pub first: Vector,
     /// The clause that formed it.
     pub clause: Clause,
-    /// An arc on either side ends or starts on its own normal. [TRC-ARC-07]
-    pub on_normals: bool,
+    /// An arc before it ends on its own normal. [TRC-ARC-07]
+    pub ends_on_normal: bool,
+    /// An arc behind it starts on its own normal.
+    pub starts_on_normal: bool,
     /// How many of `points` count.
     count: u8,
     /// The one move is an arc of this sense about `centre`. [TRC-CORNER-10]
@@ -38,7 +41,8 @@ impl Junction {
         Junction {
             first: zero,
             clause: clause::TRC_CORNER_12,
-            on_normals: true,
+            ends_on_normal: true,
+            starts_on_normal: true,
             count: 0,
             round: None,
             points: [zero; 3],
@@ -56,7 +60,8 @@ impl Junction {
     /// Makes this a junction without moves, on the normals.
     #[inline(always)]
     pub fn clear(&mut self) {
-        (self.on_normals, self.count, self.round) = (true, 0, None);
+        (self.ends_on_normal, self.starts_on_normal) = (true, true);
+        (self.count, self.round) = (0, None);
     }
 
     /// The moves have been made.
@@ -74,6 +79,35 @@ impl Junction {
         }
     }
 
+    /// Puts a vector before the first one.
+    pub fn put_first(&mut self, vector: Vector) {
+        let [a, b, _] = self.points;
+        self.points = [self.first, a, b];
+        self.count += 1;
+        self.first = vector;
+    }
+
+    /// An arc neither ends nor starts on its own normal: both meet in one point off their normals.
+    #[inline(always)]
+    pub fn leave_normals(&mut self) {
+        (self.ends_on_normal, self.starts_on_normal) = (false, false);
+    }
+
+    /// Drops each vector behind the first that differs from the last one kept by at most `limit` in each coordinate,
+    /// but the last if `keep_last`; `scale` bounds the coordinates. [TRC-CORNER-18]
+    pub fn drop_small(&mut self, limit: f64, keep_last: bool, scale: f64) {
+        let (points, count) = (self.points, usize::from(self.count));
+        let mut kept = self.first;
+        self.count = 0;
+        for (place, point) in points.into_iter().take(count).enumerate() {
+            let small = sign(magnitude(point - kept) - limit, scale) != Ordering::Greater;
+            if !small || keep_last && place + 1 == count {
+                self.push(point);
+                kept = point;
+            }
+        }
+    }
+
     /// The ends of the moves, in order.
     #[inline(always)]
     pub fn points(&self) -> impl Iterator<Item = Vector> {
@@ -85,17 +119,6 @@ impl Junction {
     pub fn last(&self) -> Option<Vector> {
         self.points().last()
     }
-}
-
-/// What a profile says of junctions.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Rules {
-    /// [TRC-CORNER-09]
-    pub reversal: Reversal,
-    /// [TRC-SIDE-01]
-    pub side_change: SideChange,
-    /// [TRC-CORNER-11]
-    pub outer: OuterCorner,
 }
 
 /// The turn of the path at P.
@@ -128,6 +151,26 @@ impl Turn {
         sign(self.cross, self.error) == Ordering::Equal
     }
 
+    /// The path goes straight back.
+    pub fn is_reversal(&self) -> bool {
+        self.is_straight() && self.dot < 0.0
+    }
+
+    /// The sign of `d + cosine`, for the cosine of an angle on the workpiece side. [TRC-CORNER-13], [TRC-CORNER-15]
+    pub fn against(&self, cosine: f64) -> Ordering {
+        sign(self.dot + cosine, self.error)
+    }
+
+    /// `1 + d` and `1 - d`, by products where the difference would lose digits.
+    pub fn one_and_cosine(&self) -> (f64, f64) {
+        let square = self.cross * self.cross;
+        if self.dot >= 0.0 {
+            (1.0 + self.dot, square / (1.0 + self.dot))
+        } else {
+            (square / (1.0 - self.dot), 1.0 - self.dot)
+        }
+    }
+
     /// tan(|φ|/2) of a turn that is no reversal, by the quotient that does not cancel.
     #[inline(always)]
     pub fn half_tangent(&self) -> f64 {
@@ -156,9 +199,23 @@ pub(crate) fn corner(
             junction.set(clause::TRC_CORNER_02, first.end_vector(radius));
             Ok(())
         }
+        _ if rules.straight > 0.0 && turn.against(-rules.straight) != Ordering::Less => {
+            // [TRC-CORNER-16]
+            junction.set(clause::TRC_CORNER_16, first.end_vector(radius));
+            // Without a radius every normal ends at P.
+            junction.starts_on_normal = radius == 0.0;
+            Ok(())
+        }
         Ordering::Equal if rules.reversal == Reversal::Alarm => Err(AlarmKind::Reversal),
         Ordering::Greater => inner::corner(first, second, radius, turn, junction),
-        Ordering::Equal | Ordering::Less => corner::outer(first, second, radius, turn, rules.outer, junction),
+        Ordering::Equal | Ordering::Less => {
+            corner::outer(first, second, radius, turn, rules, junction)?;
+            if rules.small > 0.0 && junction.round.is_none() && junction.clause != clause::TRC_CORNER_17 {
+                let scale = greater(first.scale, second.scale) + radius;
+                junction.drop_small(rules.small, second.arc.is_some(), scale);
+            }
+            Ok(())
+        }
     }
 }
 
@@ -173,8 +230,22 @@ pub(crate) fn change_of_side(
     rules: &Rules,
     junction: &mut Junction,
 ) -> Result<(), AlarmKind> {
-    if rules.side_change == SideChange::IntersectionWithin && side_change::contact(first, second, radius, junction) {
-        return in_range(junction.first);
+    match rules.side_change {
+        SideChange::IntersectionWithin | SideChange::Intersection => {
+            let within = rules.side_change == SideChange::IntersectionWithin;
+            if side_change::contact(first, second, radius, within, junction) {
+                return in_range(junction.first);
+            }
+        }
+        SideChange::Crossing => {
+            // [TRC-SIDE-06]
+            junction.set(clause::TRC_SIDE_06, first.end_vector(radius));
+            if second.arc.is_some() {
+                junction.push(second.start_vector(radius));
+            }
+            return Ok(());
+        }
+        SideChange::TwoNormals | SideChange::Forbidden => {}
     }
     // [TRC-SIDE-03]
     junction.set(clause::TRC_SIDE_03, first.end_vector(radius));

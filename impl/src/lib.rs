@@ -2,8 +2,8 @@
 //! memory, without allocation, without panics.
 //!
 //! The rules are the clauses of `radcomp-spec`, cited as `[TRC-…]`. An [`Engine`] takes blocks one by one and hands
-//! each element of the path of the tool's centre to a [`Sink`] as soon as it is settled; it holds one element and the
-//! blocks without movement behind it, never more.
+//! each element of the path of the tool's centre to a [`Sink`] as soon as it is settled; it holds one element and
+//! counts the blocks without movement behind it, never more.
 //!
 //! # Exactness
 //! Inputs are decimals rounded to f64. Every decision that a sign makes goes through [`sign::sign`], whose band is a
@@ -18,13 +18,19 @@ mod arc_form;
 mod corner;
 mod element;
 pub mod engine;
+mod entry;
 pub mod geometry;
+mod held;
 mod inner;
 mod junction;
+mod meet;
+mod path;
 mod plane;
+mod rules;
 mod scene;
 mod side_change;
 pub mod sign;
+mod type_b;
 mod wedge;
 pub mod window;
 

@@ -2,16 +2,19 @@
 
 use core::cmp::Ordering;
 
-use radcomp_spec::parameters::{CornerOwner, ReversedPath};
+use radcomp_spec::parameters::{CornerOwner, EqualRadius, NegativeRadius, ReversedPath, StartUp, ZeroLengthMove};
 use radcomp_spec::{AlarmKind, Clause, Parameters, Segment, Side, Step, clause};
 
-use crate::arc_form::Arc;
 use crate::element::{Element, sigma};
-use crate::engine::Sink;
+use crate::engine::{MOST, Sink};
+use crate::entry;
 use crate::geometry::{Begin, End, Geometry, Meeting};
-use crate::junction::{self, Junction, Rules};
-use crate::plane::{Vector, magnitude};
+use crate::junction::{self, Junction};
+use crate::path::PathEnd;
+use crate::plane::{Vector, greater, magnitude};
+use crate::rules::{Rules, value};
 use crate::sign::sign;
+use crate::type_b;
 use crate::wedge;
 
 /// What lasts from block to block, but for the look-ahead.
@@ -21,14 +24,19 @@ pub(crate) struct State {
     pub rules: Rules,
     /// [TRC-ARC-03], in millimetres.
     pub tolerance: f64,
-    owner: CornerOwner,
     reversed: ReversedPath,
+    /// The least radius that is in range, in millimetres. [TRC-MODE-07], [TRC-SIDE-07]
+    pub least_radius: f64,
+    /// [TRC-LOOK-07]
+    pub zero_length_move: ZeroLengthMove,
     /// Programmed end of the last block.
     pub position: Vector,
     /// Where the tool's centre stands at the end of what has been emitted.
     tool: Vector,
-    /// The radius that the program has put in force.
+    /// The magnitude of the radius that the program has put in force.
     pub radius_in_force: f64,
+    /// That radius is negative. [TRC-SIDE-07]
+    pub swapped: bool,
     /// The tool radius: the one in force in the start-up block. [TRC-MODE-03]
     radius: f64,
     /// The pending element, when the look-ahead has one, and the element read: they change places instead of being
@@ -44,20 +52,17 @@ pub(crate) struct State {
 impl State {
     /// The state at the start of a program.
     pub fn new(parameters: &Parameters) -> State {
-        let tolerance = parameters.arc_end_tolerance;
         let zero = Vector::new(0.0, 0.0);
         State {
-            rules: Rules {
-                reversal: parameters.reversal,
-                side_change: parameters.side_change,
-                outer: parameters.outer_corner,
-            },
-            tolerance: f64::from(tolerance.numerator) / f64::from(tolerance.denominator),
-            owner: parameters.corner_owner,
+            rules: Rules::new(parameters),
+            tolerance: value(parameters.arc_end_tolerance),
             reversed: parameters.reversed_path,
+            least_radius: if parameters.negative_radius == NegativeRadius::SwapsSides { -MOST } else { 0.0 },
+            zero_length_move: parameters.zero_length_move,
             position: zero,
             tool: zero,
             radius_in_force: 0.0,
+            swapped: false,
             radius: 0.0,
             elements: [Element::unused(); 2],
             junctions: [Junction::unused(); 2],
@@ -122,61 +127,22 @@ impl<S: Sink> Scene<'_, S> {
     }
 }
 
-/// The end of the path: where it goes on, and where its steps go.
-struct PathEnd<'a, S> {
-    tool: &'a mut Vector,
-    sink: &'a mut S,
-    block: usize,
-    rapid: bool,
-}
-
-impl<S: Sink> PathEnd<'_, S> {
-    /// Emits corner moves of the block. Moves of no length are not made. [TRC-CORNER-12]
-    #[inline(always)]
-    fn corner_moves(&mut self, junction: &Junction) {
-        for point in junction.points() {
-            if point == *self.tool {
-                continue;
-            }
-            let end = [point.x, point.y];
-            match junction.round {
-                None => self.emit(junction.clause, false, Segment::Line { end }),
-                Some(direction) => {
-                    let centre = junction.centre.into();
-                    self.emit(junction.clause, false, Segment::Arc { end, centre, direction, full: false });
-                }
-            }
-            *self.tool = point;
-        }
-    }
-
-    #[inline(always)]
-    fn own_move(&mut self, arc: Option<&Arc>, to: Vector, full: bool, clause: Clause) {
-        let end = to.into();
-        match arc {
-            None => self.emit(clause, true, Segment::Line { end }),
-            Some(arc) => {
-                let (centre, direction) = (arc.centre.into(), arc.direction());
-                self.emit(clause, true, Segment::Arc { end, centre, direction, full });
-            }
-        }
-        *self.tool = to;
-    }
-
-    #[inline(always)]
-    fn emit(&mut self, clause: Clause, main: bool, segment: Segment<f64>) {
-        self.sink.step(Step { block: self.block, clause, rapid: self.rapid, main, segment });
-    }
-}
-
 impl<S: Sink> Geometry for Scene<'_, S> {
     /// It is [`State::junctions`] that holds it.
     type Junction = ();
 
     #[inline(always)]
     fn tool_fits(&mut self, side: Side) -> bool {
-        let radius = self.state.radius;
-        self.state.next().tool_fits(side, radius)
+        let (radius, equal) = (self.state.radius, self.state.rules.equal_radius);
+        self.state.next().tool_fits(side, radius, equal)
+    }
+
+    #[inline(never)]
+    fn enter(&mut self, side: Side) -> Result<(), AlarmKind> {
+        let State { radius, radius_in_force, tool, rules, .. } = &mut *self.state;
+        *radius = *radius_in_force;
+        let (from, radius, equal) = (*tool, *radius, rules.equal_radius);
+        entry::enter(self.state.next(), from, radius, side, equal)
     }
 
     #[inline(always)]
@@ -184,31 +150,39 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         self.complete(side);
         let State { radius, rules, elements, junctions, pending, .. } = &mut *self.state;
         let (first, second) = places(*pending);
-        let junction = &mut junctions[second];
-        let (first, second) = (&elements[first], &elements[second]);
+        let (first, second, junction) = (&elements[first], &elements[second], &mut junctions[second]);
         match meeting {
             Meeting::Corner => junction::corner(first, second, *radius, rules, junction),
+            Meeting::SideChange => junction::change_of_side(first, second, *radius, rules, junction),
+            Meeting::Cancel => type_b::cancel(first, second, *radius, rules, junction),
+            Meeting::Shift => {
+                junction.set(clause::TRC_START_08, second.start_vector(*radius));
+                Ok(())
+            }
+            Meeting::StartUp if rules.start_up == StartUp::TypeB => {
+                type_b::start_up(first, second, *radius, rules, junction)
+            }
             Meeting::StartUp => {
                 junction.set(clause::TRC_START_02, second.start_vector(*radius));
                 Ok(())
             }
-            Meeting::SideChange => junction::change_of_side(first, second, *radius, rules, junction),
         }
     }
 
     #[inline(always)]
     fn settle(&mut self, end: End<()>, start_up: bool) -> Result<(), AlarmKind> {
-        let State { radius, elements, junctions, pending, tool, owner, reversed, .. } = &mut *self.state;
+        let State { radius, elements, junctions, pending, tool, rules, reversed, .. } = &mut *self.state;
         let (pending, next) = places(*pending);
         let (element, start, behind) = (&elements[pending], &junctions[pending], &junctions[next]);
         let (to, clause, on_normal) = match end {
-            End::Junction(()) => (behind.first, behind.clause, behind.on_normals),
+            End::Junction(()) => (behind.first, behind.clause, behind.ends_on_normal),
             End::Normal(clause) => (element.end_vector(*radius), clause, true),
             End::Programmed(clause) => (element.end, clause, true),
         };
-        let arc = element.arc.as_ref();
-        let full = arc.is_some_and(|arc| arc.full) && start.on_normals && on_normal;
-        if *reversed == ReversedPath::Alarm && !start_up {
+        let degenerate = rules.equal_radius == EqualRadius::DegeneratePoint && element.is_point(*radius);
+        let arc = if degenerate { None } else { element.arc.as_ref() };
+        let full = arc.is_some_and(|arc| arc.full) && start.starts_on_normal && on_normal;
+        if *reversed == ReversedPath::Alarm && !start_up && !degenerate {
             let from = start.last().unwrap_or(*tool);
             if let Some(kind) = wedge::reversed(element, from, to, full) {
                 return Err(kind);
@@ -217,7 +191,7 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         let mut path = PathEnd { tool, sink: self.sink, block: element.block, rapid: element.rapid };
         path.corner_moves(start);
         path.own_move(arc, to, full, clause);
-        if *owner == CornerOwner::Previous && end == End::Junction(()) {
+        if rules.owner == CornerOwner::Previous && end == End::Junction(()) {
             path.corner_moves(behind);
             junctions[next].drop_moves();
         }
@@ -229,10 +203,10 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         self.sink.step(Step { block, clause, rapid, main: false, segment: Segment::Hold });
     }
 
-    fn dummy(&mut self) {
+    fn corner_moves(&mut self) {
         let State { junctions, pending, tool, .. } = &mut *self.state;
-        let (_, dummy) = places(*pending);
-        PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid }.corner_moves(&junctions[dummy]);
+        let (_, read) = places(*pending);
+        PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid }.corner_moves(&junctions[read]);
     }
 
     #[inline(always)]
@@ -244,11 +218,29 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         path.own_move(arc, self.end, arc.is_some_and(|arc| arc.full), clause);
     }
 
+    fn retreat(&mut self) {
+        let (to, tool) = (self.end, self.state.tool);
+        let scale = greater(magnitude(to), magnitude(tool)) + self.state.radius;
+        if sign(magnitude(to - tool), scale) == Ordering::Equal {
+            self.hold(self.block, self.rapid, clause::TRC_LOOK_01);
+        } else {
+            let tool = &mut self.state.tool;
+            let mut path = PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid };
+            path.own_move(None, to, false, clause::TRC_CANCEL_06);
+        }
+    }
+
     #[inline(always)]
     fn begin(&mut self, begin: Begin, side: Side) {
         match begin {
             Begin::Junction => {}
             Begin::StartUp => {
+                self.complete_settled(side);
+                self.state.radius = self.state.radius_in_force;
+            }
+            Begin::Shift => {
+                let end = self.end;
+                self.state.next().set_still(end);
                 self.complete_settled(side);
                 self.state.radius = self.state.radius_in_force;
             }

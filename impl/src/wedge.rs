@@ -49,7 +49,7 @@ impl Sweep {
 /// that of the arc's rays together, in units of rounding.
 #[inline]
 fn arc_reversed(arc: &Arc, error: f64, from: Vector, to: Vector, scale: f64) -> bool {
-    let programmed = Sweep::between(arc.start_ray, arc.end_ray, arc.sense, error);
+    let programmed = Sweep::between(arc.swept_from, arc.end_ray, arc.sense, error);
     let (start, end) = (from - arc.centre, to - arc.centre);
     let bound = scale * (magnitude(start) + magnitude(end));
     let tool = Sweep::between(start, end, arc.sense, bound);

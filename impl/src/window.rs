@@ -1,45 +1,79 @@
 //! The look-ahead: which block is pending, how many blocks without movement wait behind it, and what each block read
 //! does to them. No number of the geometry is seen here: answers and effects are a [`Geometry`]'s.
 //!
-//! At most one element is pending, the last one that moved under compensation, its end vector not yet known; behind
-//! it wait at most [`MOST_NON_MOVING`] blocks without movement, of which only the count and the rapid flags are kept,
-//! for they follow the pending block without a gap. [TRC-LOOK-02]
+//! At most one element is pending, the last one that moved under compensation, its end vector not yet known, or a
+//! start-up block without movement; behind it wait blocks without movement, of which only the count and the rates are
+//! kept, for they follow the pending block without a gap. [TRC-LOOK-02]
 
-use radcomp_spec::parameters::{MOST_NON_MOVING, SideChange, SideChangeAfterStartUp, StartUpLost};
-use radcomp_spec::{Alarm, AlarmKind, Clause, Compensation, Parameters, Side, clause};
+mod ending;
+
+use radcomp_spec::parameters::{
+    Cancel, CancelWithoutMovement, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc, StartUpLost,
+    StartUpWithoutMovement,
+};
+use radcomp_spec::{Alarm, AlarmKind, Compensation, Parameters, Side, clause};
 
 use crate::geometry::{Begin, End, Event, Geometry, Kind, Meeting};
+use crate::held::Held;
 
 /// The modes of compensation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Mode {
     /// [TRC-MODE-01]
     Cancel,
-    /// From the start-up block read to the block with G40.
+    /// From the start-up block read, or the element behind one without movement, to the block with G40.
     Offset,
     /// A block with G40 has not moved: the next move cancels. [TRC-CANCEL-03]
     Cancelling,
 }
 
-/// The pending element, and the blocks without movement behind it.
+/// What the pending element has to do with start-up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Start {
+    /// Nothing: another element came before.
+    No,
+    /// It is a start-up block of type A or B.
+    Block,
+    /// It is an entry move, and counts as compensated. [TRC-START-07], [TRC-START-09]
+    Entry,
+    /// It is a block without movement that may start up; cancel mode is in force until an element follows.
+    /// [TRC-START-08]
+    Shift,
+}
+
+/// The pending element.
 #[derive(Clone, Copy, Debug)]
 struct Pending {
     block: usize,
-    start_up: bool,
-    held: u8,
-    rapid: u8,
+    start: Start,
+    rapid: bool,
+}
+
+/// What the profile says of the look-ahead.
+#[derive(Clone, Copy, Debug)]
+struct Policy {
+    start_up: StartUp,
+    start_up_lost: StartUpLost,
+    arc: StartUpArc,
+    shift_in: StartUpWithoutMovement,
+    cancel: Cancel,
+    shift_out: CancelWithoutMovement,
+    same_code: SameCode,
+    side_change: SideChange,
+    after_start_up: SideChangeAfterStartUp,
+    /// Blocks without movement allowed between two moves.
+    allowed: usize,
 }
 
 /// The look-ahead.
 #[derive(Clone, Debug)]
 pub struct Window {
-    start_up_lost: StartUpLost,
-    side_change: SideChange,
-    after_start_up: SideChangeAfterStartUp,
-    allowed: u8,
+    policy: Policy,
     mode: Mode,
     /// The side that the codes ask for. [TRC-MODE-02]
     asked: Option<Side>,
+    /// The radius in force is negative. [TRC-SIDE-07]
+    swapped: bool,
     /// The side of the element before, once the start-up block has been read.
     side: Side,
     /// No element has followed the start-up block yet. [TRC-SIDE-04]
@@ -47,30 +81,42 @@ pub struct Window {
     /// The present run of blocks without movement has lost the look-ahead.
     lost: bool,
     pending: Option<Pending>,
+    held: Held,
 }
 
 impl Window {
     /// The look-ahead at the start of a program: cancel mode, nothing pending.
     #[must_use]
     pub fn new(parameters: &Parameters) -> Self {
-        Window {
+        let policy = Policy {
+            start_up: parameters.start_up,
             start_up_lost: parameters.start_up_lost,
+            arc: parameters.start_up_arc,
+            shift_in: parameters.start_up_without_movement,
+            cancel: parameters.cancel,
+            shift_out: parameters.cancel_without_movement,
+            same_code: parameters.same_code,
             side_change: parameters.side_change,
             after_start_up: parameters.side_change_after_start_up,
-            allowed: parameters.non_moving_allowed.min(MOST_NON_MOVING),
+            allowed: parameters.non_moving_allowed.map_or(usize::MAX, usize::from),
+        };
+        Window {
+            policy,
             mode: Mode::Cancel,
             asked: None,
+            swapped: false,
             side: Side::Left,
             first: false,
             lost: false,
             pending: None,
+            held: Held::none(),
         }
     }
 
     /// How many blocks are held: the pending one and those behind it.
     #[must_use]
     pub fn held(&self) -> usize {
-        self.pending.map_or(0, |pending| 1 + usize::from(pending.held))
+        self.pending.map_or(0, |_| self.held.count().saturating_add(1))
     }
 
     /// Reads a block whose own form is sound. The checks come in the order of [TRC-MODE-06].
@@ -79,16 +125,11 @@ impl Window {
     /// The first alarm in the order of blocks. The window is not to be used after it.
     #[inline(always)]
     pub fn read<G: Geometry>(&mut self, block: usize, event: Event, geometry: &mut G) -> Result<(), Alarm> {
-        let off = event.code == Some(Compensation::Off);
-        if event.other_radius && self.mode == Mode::Offset && !off {
-            return self.fault(block, AlarmKind::OffsetChangedInMode, geometry);
+        if event.code.is_some() || event.other_radius || event.not_in_mode.is_some() {
+            self.read_codes(block, event, geometry)?;
         }
-        match event.code {
-            Some(Compensation::Off) => self.asked = None,
-            Some(Compensation::On(side)) => self.asked = Some(side),
-            None => {}
-        }
-        match (self.mode, self.asked) {
+        self.swapped = event.swapped;
+        match (self.mode, self.side_in_force()) {
             (Mode::Offset, Some(side)) => self.compensate(block, event, side, geometry),
             (Mode::Offset, None) => self.cancel(block, event, geometry),
             (Mode::Cancel | Mode::Cancelling, Some(side)) => self.start_up(block, event, side, geometry),
@@ -96,26 +137,49 @@ impl Window {
         }
     }
 
-    /// Raises an alarm at the block read: the pending element ends on its normal. [TRC-MODE-06]
-    ///
-    /// # Errors
-    /// This alarm, or the one that ending the pending element raises at its block.
-    #[cold]
-    pub fn fault<G: Geometry>(&mut self, block: usize, kind: AlarmKind, geometry: &mut G) -> Result<(), Alarm> {
-        self.settle(End::Normal(clause::TRC_MODE_06), clause::TRC_LOOK_02, geometry)?;
-        Err(Alarm { block, kind })
+    /// The side in force. [TRC-SIDE-07]
+    #[inline(always)]
+    fn side_in_force(&self) -> Option<Side> {
+        self.asked.map(|side| if self.swapped { side.other() } else { side })
     }
 
-    /// Ends the program. [TRC-MODE-04]
-    ///
-    /// # Errors
-    /// An alarm at the pending block.
-    pub fn finish<G: Geometry>(&mut self, geometry: &mut G) -> Result<(), Alarm> {
-        self.lose(clause::TRC_MODE_04, geometry)
+    /// The codes of a block, and the radius that it puts in force.
+    #[inline(never)]
+    fn read_codes<G: Geometry>(&mut self, block: usize, event: Event, geometry: &mut G) -> Result<(), Alarm> {
+        let off = event.code == Some(Compensation::Off);
+        // The last of several blocks that start up without movement is the start-up block. [TRC-START-08]
+        let starts_again = self.shift_waits() && event.kind == Kind::Still && event.code.is_some();
+        let in_mode = self.mode == Mode::Offset || self.shift_waits() && !starts_again;
+        if event.other_radius && in_mode && !off {
+            return self.fault(block, AlarmKind::OffsetChangedInMode, geometry);
+        }
+        if let Some(kind) = event.not_in_mode {
+            return self.fault(block, kind, geometry);
+        }
+        match event.code {
+            Some(Compensation::On(side)) if self.asked == Some(side) => self.same_code(block, geometry)?,
+            Some(Compensation::On(side)) => self.asked = Some(side),
+            Some(Compensation::Off) => self.asked = None,
+            None => {}
+        }
+        Ok(())
     }
 
+    /// The code in force, given again. [TRC-MODE-05]
+    fn same_code<G: Geometry>(&mut self, block: usize, geometry: &mut G) -> Result<(), Alarm> {
+        match self.policy.same_code {
+            SameCode::Alarm => self.fault(block, AlarmKind::SameCode, geometry),
+            SameCode::Normal if self.mode == Mode::Offset => {
+                self.settle(End::Normal(clause::TRC_MODE_05), clause::TRC_LOOK_02, geometry)
+            }
+            SameCode::Normal | SameCode::Ordinary => Ok(()),
+        }
+    }
+
+    /// A block of cancel mode with G40 in force.
     #[inline(never)]
     fn follow<G: Geometry>(&mut self, block: usize, event: Event, geometry: &mut G) -> Result<(), Alarm> {
+        self.release(geometry);
         let cancels = self.mode == Mode::Cancelling;
         match event.kind {
             Kind::Still | Kind::Dummy => self.stand(block, event, geometry),
@@ -128,18 +192,47 @@ impl Window {
         Ok(())
     }
 
+    /// A block of cancel mode with a side in force.
     #[inline(never)]
     fn start_up<G: Geometry>(&mut self, block: usize, event: Event, side: Side, g: &mut G) -> Result<(), Alarm> {
-        match event.kind {
-            Kind::Still | Kind::Dummy => self.stand(block, event, g),
-            Kind::Arc => return self.fault(block, AlarmKind::ArcAtStartUp, g),
-            Kind::Line => {
-                (self.mode, self.side, self.first) = (Mode::Offset, side, true);
-                self.await_end(block, true);
-                g.begin(Begin::StartUp, side);
+        let entry = match event.kind {
+            Kind::Line | Kind::Arc | Kind::Dummy if self.shift_waits() => {
+                self.mode = Mode::Offset;
+                return self.compensate(block, event, side, g);
             }
+            Kind::Still | Kind::Dummy => {
+                self.start_without_movement(block, event, side, g);
+                return Ok(());
+            }
+            Kind::Arc if self.policy.arc == StartUpArc::Alarm => {
+                return self.fault(block, AlarmKind::ArcAtStartUp, g);
+            }
+            Kind::Arc => true,
+            Kind::Line => self.policy.start_up == StartUp::EntryNormal,
+        };
+        if entry && let Err(kind) = g.enter(side) {
+            return self.fault(block, kind, g);
         }
-        Ok(())
+        (self.mode, self.side, self.first) = (Mode::Offset, side, true);
+        self.await_end(block, if entry { Start::Entry } else { Start::Block }, event.rapid);
+        g.begin(Begin::StartUp, side);
+        self.stop_behind(event, g)
+    }
+
+    /// A block of cancel mode without movement, a side being in force: it may start up itself. [TRC-START-08]
+    fn start_without_movement<G: Geometry>(&mut self, block: usize, event: Event, side: Side, geometry: &mut G) {
+        let shifts = self.policy.shift_in == StartUpWithoutMovement::Shift && event.code.is_some() && !event.stops;
+        if shifts {
+            self.release(geometry);
+            (self.side, self.first) = (side, true);
+            self.await_end(block, Start::Shift, event.rapid);
+            geometry.begin(Begin::Shift, side);
+        } else if self.shift_waits() && self.may_wait(event) {
+            self.held.push(event.rapid);
+        } else {
+            self.release(geometry);
+            self.stand(block, event, geometry);
+        }
     }
 
     /// A block of the offset mode with G40 in it. [TRC-CANCEL-01]
@@ -148,13 +241,23 @@ impl Window {
         if event.kind == Kind::Arc {
             return self.fault(block, AlarmKind::ArcAtCancel, geometry);
         }
-        let start_up = self.pending.is_some_and(|pending| pending.start_up);
-        let clause = if start_up { clause::TRC_START_05 } else { clause::TRC_CANCEL_01 };
-        self.settle(End::Normal(clause), clause::TRC_LOOK_02, geometry)?;
-        self.lost = false;
-        if event.kind == Kind::Line {
-            self.mode = Mode::Cancel;
+        let moves = event.kind == Kind::Line;
+        let start_up = self.pending.is_some_and(|pending| pending.start != Start::No);
+        if moves && self.policy.cancel == Cancel::TypeB && self.pending.is_some() && !start_up {
+            match geometry.junction(Meeting::Cancel, self.side) {
+                Ok(junction) => self.settle(End::Junction(junction), clause::TRC_LOOK_02, geometry)?,
+                Err(kind) => return self.fault(block, kind, geometry),
+            }
+            geometry.corner_moves();
+        } else {
+            let clause = if start_up { clause::TRC_START_05 } else { clause::TRC_CANCEL_01 };
+            self.settle(End::Normal(clause), clause::TRC_LOOK_02, geometry)?;
+        }
+        (self.mode, self.lost) = (Mode::Cancel, false);
+        if moves {
             geometry.follow(clause::TRC_CANCEL_02);
+        } else if self.policy.shift_out == CancelWithoutMovement::Shift {
+            geometry.retreat();
         } else {
             self.mode = Mode::Cancelling;
             geometry.hold(block, event.rapid, clause::TRC_CANCEL_03);
@@ -174,7 +277,7 @@ impl Window {
             }
             Kind::Dummy => {
                 self.meet(block, side, g)?;
-                g.dummy();
+                g.corner_moves();
                 g.hold(block, event.rapid, clause::TRC_DUMMY_02);
                 Ok(())
             }
@@ -184,107 +287,10 @@ impl Window {
                 }
                 let begin = if self.pending.is_some() { Begin::Junction } else { Begin::Settled };
                 self.meet(block, side, g)?;
-                self.await_end(block, false);
+                self.await_end(block, Start::No, event.rapid);
                 g.begin(begin, side);
-                Ok(())
+                self.stop_behind(event, g)
             }
         }
-    }
-
-    /// Settles the junction before an element on this side, if that is not done yet.
-    #[inline(always)]
-    fn meet<G: Geometry>(&mut self, block: usize, side: Side, geometry: &mut G) -> Result<(), Alarm> {
-        if let Some(kind) = self.side_fault(side) {
-            return self.fault(block, kind, geometry);
-        }
-        if let Some(pending) = self.pending {
-            let meeting = match (pending.start_up, side == self.side) {
-                (true, _) => Meeting::StartUp,
-                (false, true) => Meeting::Corner,
-                (false, false) => Meeting::SideChange,
-            };
-            match geometry.junction(meeting, side) {
-                Ok(junction) => self.settle(End::Junction(junction), clause::TRC_LOOK_02, geometry)?,
-                Err(kind) => return self.fault(block, kind, geometry),
-            }
-        }
-        (self.side, self.first, self.lost) = (side, false, false);
-        Ok(())
-    }
-
-    /// [TRC-SIDE-01], [TRC-SIDE-04]
-    #[inline(always)]
-    fn side_fault(&self, side: Side) -> Option<AlarmKind> {
-        if side == self.side {
-            None
-        } else if self.side_change == SideChange::Forbidden {
-            Some(AlarmKind::SideChangeForbidden)
-        } else if self.first && self.after_start_up == SideChangeAfterStartUp::Alarm {
-            Some(AlarmKind::SideChangeAfterStartUp)
-        } else {
-            None
-        }
-    }
-
-    /// A block without movement in offset mode.
-    #[inline(never)]
-    fn wait<G: Geometry>(&mut self, block: usize, event: Event, geometry: &mut G) -> Result<(), Alarm> {
-        match &mut self.pending {
-            // [TRC-DUMMY-04]: nothing is pending, so nothing is counted, once a dummy block has settled the junction.
-            Some(pending) if pending.held < self.allowed => {
-                pending.rapid |= u8::from(event.rapid).wrapping_shl(u32::from(pending.held));
-                pending.held += 1;
-                return Ok(());
-            }
-            Some(_) => {
-                self.lose(clause::TRC_LOOK_03, geometry)?;
-                self.lost = true;
-            }
-            None => {}
-        }
-        self.stand(block, event, geometry);
-        Ok(())
-    }
-
-    /// A block without movement that nothing waits for.
-    fn stand<G: Geometry>(&mut self, block: usize, event: Event, geometry: &mut G) {
-        let clause = if self.lost { clause::TRC_LOOK_03 } else { clause::TRC_LOOK_01 };
-        geometry.hold(block, event.rapid, clause);
-    }
-
-    /// Ends the pending element without a next one; the clause is that of an element behind the start-up.
-    /// [TRC-LOOK-03], [TRC-START-04]
-    fn lose<G: Geometry>(&mut self, clause: Clause, geometry: &mut G) -> Result<(), Alarm> {
-        let start_up = self.pending.is_some_and(|pending| pending.start_up);
-        let end = match (start_up, self.start_up_lost) {
-            (false, _) => End::Normal(clause),
-            (true, StartUpLost::Normal) => End::Normal(clause::TRC_START_04),
-            (true, StartUpLost::NoVector) => {
-                self.mode = Mode::Cancel;
-                End::Programmed(clause::TRC_START_04)
-            }
-        };
-        self.settle(end, clause::TRC_LOOK_03, geometry)
-    }
-
-    fn await_end(&mut self, block: usize, start_up: bool) {
-        self.lost = false;
-        self.pending = Some(Pending { block, start_up, held: 0, rapid: 0 });
-    }
-
-    /// Emits the pending element and the blocks without movement behind it, these by the clause.
-    #[inline(always)]
-    fn settle<G: Geometry>(&mut self, end: End<G::Junction>, held: Clause, geometry: &mut G) -> Result<(), Alarm> {
-        if let Some(pending) = self.pending.take() {
-            geometry.settle(end, pending.start_up).map_err(|kind| Alarm { block: pending.block, kind })?;
-            for behind in 0..pending.held {
-                let rapid = pending.rapid.wrapping_shr(u32::from(behind)) & 1 == 1;
-                geometry.hold(pending.block.wrapping_add(1 + usize::from(behind)), rapid, held);
-            }
-        }
-        Ok(())
     }
 }
-
-/// One bit of [`Pending::rapid`] for each block held.
-const _: () = assert!(MOST_NON_MOVING as u32 <= u8::BITS);

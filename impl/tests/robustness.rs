@@ -6,7 +6,7 @@ use common::{SEED_MILL, run};
 use proptest::prelude::*;
 use radcomp_impl::Engine;
 use radcomp_spec::parameters::*;
-use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, Segment, Side, Step};
+use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, Segment, Side, Step};
 
 #[test]
 fn the_engine_is_small() {
@@ -43,29 +43,93 @@ fn block() -> impl Strategy<Value = Block<f64>> {
         2 => Just(Some(Compensation::On(Side::Left))),
         2 => Just(Some(Compensation::On(Side::Right))),
     ];
-    let corner = prop::sample::select(vec![None, Some(OuterCorner::Arc), Some(OuterCorner::Intersection)]);
-    let radius = prop_oneof![30 => Just(None), 1 => number().prop_map(Some)];
-    (movement(), any::<bool>(), code, radius, corner).prop_map(|(movement, rapid, compensation, radius, corner)| {
-        Block { movement, rapid, compensation, radius, corner }
-    })
+    let corner = prop_oneof![12 => Just(None), 3 => (0..3_usize).prop_map(|pick| Some(OuterCorner::VALUES[pick].1))];
+    let radius = prop_oneof![
+        30 => Just(None),
+        1 => number().prop_map(Some),
+        2 => prop::sample::select(vec![Some(1.0), Some(-1.0)]),
+    ];
+    let stops = prop::bool::weighted(0.05);
+    let not_in_mode = prop_oneof![60 => Just(None), 1 => Just(Some(AlarmKind::ToolChangeInMode))];
+    (movement(), any::<bool>(), code, radius, corner, stops, not_in_mode).prop_map(
+        |(movement, rapid, compensation, radius, corner, stops_look_ahead, not_in_mode)| Block {
+            movement,
+            rapid,
+            compensation,
+            radius,
+            corner,
+            stops_look_ahead,
+            not_in_mode,
+        },
+    )
+}
+
+/// One of the values of a parameter; the count is that of all of them, so that a new value is not left out.
+fn any_of<T: Copy + std::fmt::Debug>(values: &'static [(&'static str, T)]) -> impl Strategy<Value = T> {
+    (0..values.len()).prop_map(|pick| values[pick].1)
+}
+
+/// 0, or a number between 0 and `most` in thousandths.
+fn ratio(most: u32) -> impl Strategy<Value = Ratio> {
+    prop_oneof![Just(0), 0..=most * 1000].prop_map(|numerator| Ratio { numerator, denominator: 1000 })
 }
 
 fn parameters() -> impl Strategy<Value = Parameters> {
-    let pick = |count: usize| 0..count;
-    ((pick(2), pick(2), pick(2), pick(3), pick(2)), (0_u8..=8, pick(2), pick(2), 0_u32..200)).prop_map(
-        |((lost, outer, reversal, side, after), (non_moving_allowed, owner, reversed, tolerance))| Parameters {
-            start_up_lost: StartUpLost::VALUES[lost].1,
-            outer_corner: OuterCorner::VALUES[outer].1,
-            reversal: Reversal::VALUES[reversal].1,
-            side_change: SideChange::VALUES[side].1,
-            side_change_after_start_up: SideChangeAfterStartUp::VALUES[after].1,
-            non_moving_allowed,
-            corner_owner: CornerOwner::VALUES[owner].1,
-            reversed_path: ReversedPath::VALUES[reversed].1,
-            arc_end_tolerance: Ratio { numerator: tolerance * tolerance, denominator: 1000 },
-            ..SEED_MILL
-        },
-    )
+    let start = (
+        any_of(StartUp::VALUES),
+        any_of(StartUpLost::VALUES),
+        any_of(StartUpB::VALUES),
+        any_of(StartUpWithoutMovement::VALUES),
+        any_of(StartUpArc::VALUES),
+        any_of(Cancel::VALUES),
+        any_of(CancelWithoutMovement::VALUES),
+    );
+    let corners = (
+        any_of(OuterCorner::VALUES),
+        any_of(Reversal::VALUES),
+        any_of(CornerOwner::VALUES),
+        any_of(ArcExtension::VALUES),
+        any_of(ArcOnRapid::VALUES),
+    );
+    let limits = (ratio(1), ratio(1), ratio(1), ratio(20), ratio(40));
+    let rest = (
+        any_of(SideChange::VALUES),
+        any_of(SideChangeAfterStartUp::VALUES),
+        any_of(ReversedPath::VALUES),
+        any_of(SameCode::VALUES),
+        any_of(NegativeRadius::VALUES),
+        any_of(EqualRadius::VALUES),
+        any_of(ZeroLengthMove::VALUES),
+        prop::option::weighted(0.9, 0_u8..=8),
+    );
+    (start, corners, limits, rest).prop_map(|(start, corners, limits, rest)| Parameters {
+        start_up: start.0,
+        start_up_lost: start.1,
+        start_up_b: start.2,
+        start_up_without_movement: start.3,
+        start_up_arc: start.4,
+        cancel: start.5,
+        cancel_without_movement: start.6,
+        outer_corner: corners.0,
+        reversal: corners.1,
+        corner_owner: corners.2,
+        arc_extension: corners.3,
+        arc_on_rapid: corners.4,
+        corner_limit_cosine: limits.0,
+        smallest_corner_cosine: limits.1,
+        straight_band_cosine: limits.2,
+        small_vector_limit: limits.3,
+        arc_end_tolerance: limits.4,
+        side_change: rest.0,
+        side_change_after_start_up: rest.1,
+        reversed_path: rest.2,
+        same_code: rest.3,
+        negative_radius: rest.4,
+        equal_radius: rest.5,
+        zero_length_move: rest.6,
+        non_moving_allowed: rest.7,
+        ..SEED_MILL
+    })
 }
 
 fn is_finite(step: &Step<f64>) -> bool {

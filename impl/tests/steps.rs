@@ -4,7 +4,7 @@ mod common;
 
 use common::{SEED_MILL, run};
 use radcomp_spec::parameters::*;
-use radcomp_spec::{Alarm, AlarmKind, Block, Centre, Clause, Compensation, Direction, Movement, Side, clause};
+use radcomp_spec::{Alarm, AlarmKind, Block, Centre, Clause, Compensation, Direction, Movement, Segment, Side, clause};
 
 fn line(x: f64, y: f64) -> Block<f64> {
     Block::moving(Movement::Line { end: [x, y] })
@@ -89,6 +89,127 @@ fn g40_settles_the_junction_that_its_block_would_lose() {
     ];
     assert_eq!(flags(&SEED_MILL, &blocks), expected);
 }
+
+fn code(code: Compensation) -> Block<f64> {
+    Block { compensation: Some(code), ..Block::empty() }
+}
+
+const LEFT: Compensation = Compensation::On(Side::Left);
+
+#[test]
+fn a_start_up_block_without_movement_moves_at_its_own_rate() {
+    let shift = Parameters {
+        start_up_without_movement: StartUpWithoutMovement::Shift,
+        cancel_without_movement: CancelWithoutMovement::Shift,
+        ..SEED_MILL
+    };
+    let on = rapid(Block { radius: Some(5.0), ..code(LEFT) });
+    let off = code(Compensation::Off);
+    let blocks = [on.clone(), Block::empty(), line(10.0, 0.0), rapid(off.clone()), off.clone()];
+    let expected: [Flags; 5] = [
+        (0, clause::TRC_START_08, true, true),
+        (1, clause::TRC_LOOK_02, false, false),
+        (2, clause::TRC_CANCEL_01, false, true),
+        (3, clause::TRC_CANCEL_06, true, true),
+        (4, clause::TRC_LOOK_01, false, false),
+    ];
+    assert_eq!(flags(&shift, &blocks), expected);
+    // G40, the end of the program, and a stop in the block leave no shift.
+    let expected: [Flags; 4] = [
+        (0, clause::TRC_LOOK_01, true, false),
+        (1, clause::TRC_LOOK_01, false, false),
+        (2, clause::TRC_LOOK_01, false, false),
+        (3, clause::TRC_MODE_01, false, true),
+    ];
+    assert_eq!(flags(&shift, &[on.clone(), Block::empty(), off, line(10.0, 0.0)]), expected);
+    assert_eq!(flags(&shift, &[on.clone(), Block::empty()]), expected[..2]);
+    let stopped = Block { stops_look_ahead: true, ..on.clone() };
+    assert_eq!(flags(&shift, &[stopped, line(10.0, 0.0), line(20.0, 0.0)])[1].1, clause::TRC_START_02);
+    // An alarm before the junction is settled.
+    let off_arc = Movement::Arc { end: [9.0, 9.0], centre: Centre::Radius(1.0), direction: Direction::Clockwise };
+    let (steps, alarm) = run(&shift, &[on, Block::moving(off_arc)]);
+    assert_eq!((steps.len(), steps[0].clause), (1, clause::TRC_LOOK_01));
+    assert_eq!(alarm, Some(Alarm { block: 1, kind: AlarmKind::NoSuchArc }));
+}
+
+#[test]
+fn a_tool_that_stands_at_the_programmed_point_stays() {
+    let shift = Parameters { cancel_without_movement: CancelWithoutMovement::Shift, ..SEED_MILL };
+    let start = Block { radius: Some(0.0), ..start() };
+    let expected: [Flags; 2] = [(0, clause::TRC_START_05, false, true), (1, clause::TRC_LOOK_01, false, false)];
+    assert_eq!(flags(&shift, &[start, code(Compensation::Off)]), expected);
+}
+
+#[test]
+fn any_number_of_blocks_without_movement_keeps_its_rates() {
+    let unbounded = Parameters { non_moving_allowed: None, ..SEED_MILL };
+    let mut blocks = vec![start(), line(10.0, 0.0)];
+    let rate = |block: usize| block / 100 % 2 == 1;
+    blocks.extend((2..1500).map(|block| Block { rapid: rate(block), ..Block::empty() }));
+    blocks.push(line(20.0, 0.0));
+    let flags = flags(&unbounded, &blocks);
+    assert_eq!(flags.len(), blocks.len());
+    for (block, step) in flags.iter().enumerate().take(1500).skip(2) {
+        assert_eq!(*step, (block, clause::TRC_LOOK_02, rate(block), false));
+    }
+}
+
+#[test]
+fn a_block_that_moves_and_stops_loses_the_look_ahead_behind_it() {
+    let stops = |block| Block { stops_look_ahead: true, ..block };
+    let no_vector = Parameters { start_up_lost: StartUpLost::NoVector, ..SEED_MILL };
+    let blocks = [stops(start()), Block::empty(), line(10.0, 0.0), stops(line(20.0, 0.0)), line(20.0, 10.0)];
+    let expected: [Flags; 5] = [
+        (0, clause::TRC_START_04, false, true),
+        (1, clause::TRC_LOOK_03, false, false),
+        (2, clause::TRC_START_02, false, true),
+        (3, clause::TRC_LOOK_03, false, true),
+        (4, clause::TRC_MODE_04, false, true),
+    ];
+    assert_eq!(flags(&no_vector, &blocks), expected);
+}
+
+#[test]
+fn movement_words_beside_a_code_that_is_not_for_offset_mode_are_not_looked_at() {
+    let refused = Block { not_in_mode: Some(AlarmKind::MachineCoordinatesInMode), ..line(f64::NAN, 0.0) };
+    let (steps, alarm) = run(&SEED_MILL, &[start(), refused.clone()]);
+    assert_eq!(alarm, Some(Alarm { block: 1, kind: AlarmKind::MachineCoordinatesInMode }));
+    assert_eq!((steps.len(), steps[0].clause), (1, clause::TRC_MODE_06));
+    // Another radius comes first.
+    let (_, alarm) = run(&SEED_MILL, &[start(), Block { radius: Some(4.0), ..refused }]);
+    assert_eq!(alarm, Some(Alarm { block: 1, kind: AlarmKind::OffsetChangedInMode }));
+}
+
+#[test]
+fn the_last_start_up_block_without_movement_counts() {
+    let shift = Parameters { start_up_without_movement: StartUpWithoutMovement::Shift, ..SEED_MILL };
+    let on = |radius| Block { radius: Some(radius), ..code(LEFT) };
+    let (steps, alarm) = run(&shift, &[on(5.0), on(4.0), line(10.0, 0.0)]);
+    assert_eq!((alarm, steps[1].segment.clone()), (None, Segment::Line { end: [0.0, 4.0] }));
+    // Behind it another radius is an alarm, and no shift is made.
+    let radius = Block { radius: Some(4.0), ..Block::empty() };
+    let (steps, alarm) = run(&shift, &[on(5.0), radius, line(10.0, 0.0)]);
+    assert_eq!((steps.len(), steps[0].segment.clone()), (1, Segment::Hold));
+    assert_eq!(alarm, Some(Alarm { block: 1, kind: AlarmKind::OffsetChangedInMode }));
+}
+
+#[test]
+fn an_entry_arc_runs_from_where_the_tool_stands() {
+    // After G40 without movement the tool stands at (5, 5), the program at (5, 0).
+    let entry = Parameters { start_up_arc: StartUpArc::MovedCentre, arc_end_tolerance: WIDE, ..SEED_MILL };
+    let arc = Movement::Arc { end: [15.0, 10.0], centre: Centre::FromStart([0.0, 10.0]), direction: COUNTER };
+    let enters = Block { compensation: Some(LEFT), ..Block::moving(arc) };
+    let (steps, alarm) = run(&entry, &[start(), code(Compensation::Off), enters, line(15.0, 30.0)]);
+    assert_eq!(alarm, None);
+    // V = (10, 10), and (5, 10) is 5 from (5, 5) and from V; the line after it is tangent.
+    let Segment::Arc { end, centre, .. } = steps[2].segment else { panic!("an arc") };
+    let near = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).abs() < 1e-12 && (a[1] - b[1]).abs() < 1e-12;
+    assert!(near(end, [10.0, 10.0]) && near(centre, [5.0, 10.0]), "{end:?} {centre:?}");
+    assert_eq!(steps[2].clause, clause::TRC_CORNER_02);
+}
+
+const COUNTER: Direction = Direction::Counterclockwise;
+const WIDE: Ratio = Ratio { numerator: 1, denominator: 1 };
 
 #[test]
 fn numbers_out_of_range() {

@@ -5,7 +5,7 @@ mod common;
 use common::SEED_MILL;
 use radcomp_impl::geometry::{Begin, End, Event, Geometry, Kind, Meeting};
 use radcomp_impl::window::Window;
-use radcomp_spec::parameters::{SideChange, SideChangeAfterStartUp, StartUpLost};
+use radcomp_spec::parameters::*;
 use radcomp_spec::{Alarm, AlarmKind, Clause, Compensation, Parameters, Side};
 
 /// Stands in for the geometry: answers as it is told, and watches the order of blocks.
@@ -38,6 +38,11 @@ impl Geometry for Watch {
         self.bad & 1 == 0
     }
 
+    fn enter(&mut self, _: Side) -> Result<(), AlarmKind> {
+        assert_eq!((self.pending, self.next), (None, self.read), "an entry move follows what has been settled");
+        if self.bad & 2 == 0 { Ok(()) } else { Err(AlarmKind::EntryTooShort) }
+    }
+
     fn junction(&mut self, _: Meeting, _: Side) -> Result<(), AlarmKind> {
         assert!(self.pending.is_some());
         if self.bad & 2 == 0 { Ok(()) } else { Err(AlarmKind::NoIntersection) }
@@ -56,11 +61,17 @@ impl Geometry for Watch {
 
     fn hold(&mut self, block: usize, is_rapid: bool, _: Clause) {
         assert_eq!(is_rapid, rapid(block));
+        // A start-up block without movement may turn out to be none. [TRC-START-08]
+        self.pending.take_if(|pending| *pending == block);
         self.emit(block);
     }
 
-    fn dummy(&mut self) {
-        assert_eq!(self.next, self.read, "a dummy block's corner moves come at its place");
+    fn corner_moves(&mut self) {
+        assert_eq!(self.next, self.read, "the corner moves of a block come at its place");
+    }
+
+    fn retreat(&mut self) {
+        self.emit(self.read);
     }
 
     fn follow(&mut self, _: Clause) {
@@ -78,7 +89,13 @@ fn events() -> Vec<Event> {
     let codes = [None, Some(Compensation::Off), sides[0], sides[1]];
     let kinds = [Kind::Still, Kind::Dummy, Kind::Line, Kind::Arc];
     let all = codes.iter().flat_map(|code| kinds.map(|kind| (*code, kind)));
-    all.map(|(code, kind)| Event { kind, code, other_radius: false, rapid: false }).collect()
+    let plain = all.map(|(code, kind)| Event { code, ..Event::of(kind) });
+    let stops = kinds.map(|kind| Event { stops: true, ..Event::of(kind) });
+    let zero_length = Event { zero_length: true, ..Event::of(Kind::Still) };
+    let stopping_code = Event { stops: true, code: sides[0], ..Event::of(Kind::Still) };
+    let swapped = Event { swapped: true, ..Event::of(Kind::Line) };
+    let not_in_mode = Event { not_in_mode: Some(AlarmKind::ToolChangeInMode), ..Event::of(Kind::Still) };
+    plain.chain(stops).chain([zero_length, stopping_code, swapped, not_in_mode]).collect()
 }
 
 /// Everything before the alarm's block has been emitted, and nothing of it or after it.
@@ -128,7 +145,7 @@ fn explore(window: &Window, watch: &Watch, allowed: usize, depth: u32, events: &
 fn explore_all(parameters: &Parameters, depth: u32) {
     let watch = Watch { next: 0, read: 0, pending: None, bad: 0 };
     let mut nodes = 0;
-    let allowed = usize::from(parameters.non_moving_allowed);
+    let allowed = parameters.non_moving_allowed.map_or(usize::MAX - 1, usize::from);
     explore(&Window::new(parameters), &watch, allowed, depth, &events(), &mut nodes);
     println!("depth {depth}: {nodes} programs");
     assert!(nodes > 1000);
@@ -137,7 +154,7 @@ fn explore_all(parameters: &Parameters, depth: u32) {
 #[test]
 fn all_sequences_of_every_policy() {
     for start_up_lost in [StartUpLost::Normal, StartUpLost::NoVector] {
-        for non_moving_allowed in 0..=3 {
+        for non_moving_allowed in [Some(0), Some(1), Some(2), None] {
             for side_change in [SideChange::Forbidden, SideChange::TwoNormals] {
                 for side_change_after_start_up in [SideChangeAfterStartUp::Alarm, SideChangeAfterStartUp::Allowed] {
                     let parameters = Parameters {
@@ -147,7 +164,7 @@ fn all_sequences_of_every_policy() {
                         side_change_after_start_up,
                         ..SEED_MILL
                     };
-                    explore_all(&parameters, 4);
+                    explore_all(&parameters, 3);
                 }
             }
         }
@@ -155,34 +172,67 @@ fn all_sequences_of_every_policy() {
 }
 
 #[test]
-fn all_sequences_of_six() {
-    for start_up_lost in [StartUpLost::Normal, StartUpLost::NoVector] {
+fn all_sequences_of_every_start_and_end() {
+    for start_up in [StartUp::TypeA, StartUp::EntryNormal] {
+        for start_up_without_movement in [StartUpWithoutMovement::None, StartUpWithoutMovement::Shift] {
+            for start_up_arc in [StartUpArc::Alarm, StartUpArc::MovedCentre] {
+                for (cancel, cancel_without_movement) in
+                    [(Cancel::TypeA, CancelWithoutMovement::Shift), (Cancel::TypeB, CancelWithoutMovement::None)]
+                {
+                    for (same_code, start_up_lost) in [
+                        (SameCode::Ordinary, StartUpLost::NoVector),
+                        (SameCode::Normal, StartUpLost::NoVector),
+                        (SameCode::Alarm, StartUpLost::Normal),
+                    ] {
+                        let parameters = Parameters {
+                            start_up,
+                            start_up_without_movement,
+                            start_up_arc,
+                            cancel,
+                            cancel_without_movement,
+                            same_code,
+                            start_up_lost,
+                            non_moving_allowed: Some(1),
+                            side_change_after_start_up: SideChangeAfterStartUp::Allowed,
+                            ..SEED_MILL
+                        };
+                        explore_all(&parameters, 3);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn all_sequences_of_five() {
+    for start_up_without_movement in [StartUpWithoutMovement::None, StartUpWithoutMovement::Shift] {
         let parameters = Parameters {
-            start_up_lost,
-            non_moving_allowed: 1,
+            start_up_without_movement,
+            start_up_lost: StartUpLost::NoVector,
+            non_moving_allowed: Some(1),
             side_change_after_start_up: SideChangeAfterStartUp::Allowed,
             ..SEED_MILL
         };
-        explore_all(&parameters, 6);
+        explore_all(&parameters, 5);
     }
 }
 
 #[test]
 fn the_longest_run_is_held() {
-    let parameters = Parameters { non_moving_allowed: 8, ..SEED_MILL };
+    let parameters = Parameters { non_moving_allowed: Some(8), ..SEED_MILL };
     let mut window = Window::new(&parameters);
     let mut watch = Watch { next: 0, read: 0, pending: None, bad: 0 };
-    let line =
-        Event { kind: Kind::Line, code: Some(Compensation::On(Side::Left)), other_radius: false, rapid: rapid(0) };
+    let line = Event { code: Some(Compensation::On(Side::Left)), rapid: rapid(0), ..Event::of(Kind::Line) };
     window.read(0, line, &mut watch).unwrap();
     for block in 1..=8 {
         watch.read = block;
-        let event = Event { kind: Kind::Still, code: None, other_radius: false, rapid: rapid(block) };
+        let event = Event { rapid: rapid(block), ..Event::of(Kind::Still) };
         window.read(block, event, &mut watch).unwrap();
         assert_eq!((window.held(), watch.next), (1 + block, 0));
     }
     watch.read = 9;
-    let event = Event { kind: Kind::Still, code: None, other_radius: false, rapid: rapid(9) };
+    let event = Event { rapid: rapid(9), ..Event::of(Kind::Still) };
     window.read(9, event, &mut watch).unwrap();
     assert_eq!((window.held(), watch.next), (0, 10));
 }

@@ -19,7 +19,25 @@ pub(crate) enum Shape {
     /// Straight.
     Line { direction: Vector, length: Real },
     /// Circular; each end has its own radius ([TRC-ARC-04]).
-    Arc { centre: Vector, sense: Direction, start_radius: Real, end_radius: Real, full: bool },
+    Arc {
+        centre: Vector,
+        sense: Direction,
+        start_radius: Real,
+        end_radius: Real,
+        full: bool,
+        /// What stands for its offset curve, if it is an entry move.
+        entry: Option<Box<EntryArc>>,
+    },
+}
+
+/// The tool's own arc of an entry move: about a moved centre, from where the tool stands to the normal at the end of
+/// the programmed arc ([TRC-START-09]).
+#[derive(Clone, Debug)]
+pub(crate) struct EntryArc {
+    pub(crate) start: Vector,
+    pub(crate) centre: Vector,
+    pub(crate) radius: Real,
+    pub(crate) end: Vector,
 }
 
 /// One end of an element, as a junction sees it.
@@ -41,6 +59,8 @@ pub(crate) struct Circle {
     pub(crate) centre: Vector,
     pub(crate) radius: Real,
     pub(crate) sense: Direction,
+    /// The offset circle's radius, where it is no offset of this circle but that of an [`EntryArc`].
+    entry_radius: Option<Real>,
 }
 
 impl Element {
@@ -49,6 +69,11 @@ impl Element {
         let direction = end.minus(&start);
         let length = direction.length();
         Element { start, end, shape: Shape::Line { direction, length } }
+    }
+
+    /// Whether the element is an arc.
+    pub(crate) fn is_arc(&self) -> bool {
+        matches!(self.shape, Shape::Arc { .. })
     }
 
     /// The end of the element, looking along the direction of travel.
@@ -66,14 +91,20 @@ impl Element {
             Shape::Line { direction, length } => {
                 Arm { point: point.clone(), tangent: direction.clone(), length: length.clone(), circle: None }
             }
-            Shape::Arc { centre, sense, start_radius, end_radius, .. } => {
+            Shape::Arc { centre, sense, start_radius, end_radius, entry, .. } => {
                 let radius = which(start_radius, end_radius).clone();
                 let ray = point.minus(centre);
                 let tangent = match sense {
                     Direction::Counterclockwise => ray.perp(),
                     Direction::Clockwise => ray.perp().opposite(),
                 };
-                let circle = Circle { centre: centre.clone(), radius: radius.clone(), sense: *sense };
+                let entry = entry.as_deref();
+                let circle = Circle {
+                    centre: entry.map_or(centre, |entry| &entry.centre).clone(),
+                    radius: radius.clone(),
+                    sense: *sense,
+                    entry_radius: entry.map(|entry| entry.radius.clone()),
+                };
                 Arm { point: point.clone(), tangent, length: radius, circle: Some(circle) }
             }
         }
@@ -109,8 +140,11 @@ impl Circle {
         tool_inside(self.sense, side)
     }
 
-    /// Radius of the offset circle, `R - σ·δ·r` ([TRC-PLANE-04]).
+    /// Radius of the offset circle, `R - σ·δ·r` ([TRC-PLANE-04]), or that of an entry move.
     pub(crate) fn offset_radius(&self, side: Side, radius: &Real) -> Real {
+        if let Some(entry) = &self.entry_radius {
+            return entry.clone();
+        }
         if self.tool_inside(side) { &self.radius - radius } else { &self.radius + radius }
     }
 }

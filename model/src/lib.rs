@@ -21,4 +21,5 @@ mod sweep;
 pub use decision::{Decision, Sink, Stop};
 pub use engine::Engine;
 pub use geometry::Vector;
+pub use rules::tip::tip;
 pub use run::{Run, run, run_with};

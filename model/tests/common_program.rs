@@ -1,8 +1,8 @@
 //! TV-1: a program that every control answers alike after its entry (NIST Handbook, figure 3), in plane coordinates.
 
 use radcomp_model::run;
-use radcomp_spec::parameters::*;
-use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, Segment, Side};
+use radcomp_spec::profile::Profile;
+use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, Parameters, Segment, Side};
 use rug::Rational;
 
 fn rational(text: &str) -> Rational {
@@ -22,20 +22,7 @@ fn arc(direction: Direction, a: &str, b: &str, i: &str, j: &str) -> Block<Ration
 }
 
 fn parameters() -> Parameters {
-    Parameters {
-        start_up: StartUp::TypeA,
-        start_up_lost: StartUpLost::Normal,
-        cancel: Cancel::TypeA,
-        outer_corner: OuterCorner::Intersection,
-        reversal: Reversal::Outer,
-        side_change: SideChange::IntersectionWithin,
-        side_change_after_start_up: SideChangeAfterStartUp::Alarm,
-        non_moving_allowed: 2,
-        corner_owner: CornerOwner::Next,
-        reversed_path: ReversedPath::Advisory,
-        arc_end_tolerance: Ratio { numerator: 1, denominator: 100 },
-        far_intersection: Ratio { numerator: 5, denominator: 1 },
-    }
+    Profile::builtin("seed-mill").expect("a built-in profile").parameters
 }
 
 #[test]

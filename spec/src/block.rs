@@ -16,19 +16,32 @@ pub struct Block<N> {
     pub compensation: Option<Compensation>,
     /// The radius, in millimetres, that a D or T word of this block puts in force.
     pub radius: Option<N>,
-    /// M96 or M97 in this block ([TRC-CORNER-11]).
+    /// M96, M97, G450 or G451 in this block ([TRC-CORNER-11]).
     pub corner: Option<crate::OuterCorner>,
+    /// A code that stops reading ahead, where the profile says that it breaks the look-ahead ([TRC-LOOK-08]).
+    pub stops_look_ahead: bool,
+    /// The alarm of a code in this block that the profile does not allow in mode, if the program is in mode there: the
+    /// alarm is raised at this block ([TRC-MODE-08]).
+    pub not_in_mode: Option<crate::AlarmKind>,
 }
 
 impl<N> Block<N> {
     /// A block without movement and without codes.
     pub const fn empty() -> Self {
-        Block { movement: Movement::None, rapid: false, compensation: None, radius: None, corner: None }
+        Block::moving(Movement::None)
     }
 
     /// A block that only moves.
     pub const fn moving(movement: Movement<N>) -> Self {
-        Block { movement, rapid: false, compensation: None, radius: None, corner: None }
+        Block {
+            movement,
+            rapid: false,
+            compensation: None,
+            radius: None,
+            corner: None,
+            stops_look_ahead: false,
+            not_in_mode: None,
+        }
     }
 }
 

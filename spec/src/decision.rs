@@ -53,6 +53,13 @@ decisions! {
     ContactExists = "contact-exists", TRC_SIDE_02, "by how much the offset curves of a side change overlap; negative is no contact";
     ContactWithin = "contact-within", TRC_SIDE_02, "tool radius less the distance of the contact point from the offset element; negative is no contact";
     NearerContact = "nearer-contact", TRC_SIDE_02, "distance from the corner of the second contact point less that of the first; zero is no contact";
+    EntryLength = "entry-length", TRC_START_07, "length of the entry move less the tool radius; zero and negative are an alarm";
+    EntryArc = "entry-arc", TRC_START_09, "how far the entry's start lies toward the arc's centre from its new end; zero and negative are an alarm";
+    SmallestCorner = "smallest-corner", TRC_CORNER_15, "cosine of the turn plus the limit, times the shorter arm; negative is a single vector";
+    LimitAngle = "limit-angle", TRC_CORNER_13, "cosine of the turn plus the limit, times the shorter arm; negative is an arc";
+    ExtensionsMeet = "extensions-meet", TRC_CORNER_14, "by how much the two extended offset curves overlap; negative is an alarm";
+    StraightBand = "straight-band", TRC_CORNER_16, "cosine of the turn less the limit, times the shorter arm; zero and positive are straight";
+    SmallVector = "small-vector", TRC_CORNER_18, "the greater coordinate difference of two vectors less the limit; zero and negative drop the latter";
     LineForward = "line-forward", TRC_WEDGE_02, "tool travel along the programmed direction; negative runs backwards";
     ArcForward = "arc-forward", TRC_WEDGE_03, "margin of the sweep comparison; negative runs backwards";
     LineInForward = "line-in-forward", TRC_LOOK_05, "straight move along the tangent at an arc's start; negative is advised";

@@ -111,8 +111,26 @@ kinds! {
         ReversedLine = "reversed-line", TRC_WEDGE_02, "the tool would run this line backwards: the contour is narrower than the tool";
         /// [TRC-WEDGE-03]
         ReversedArc = "reversed-arc", TRC_WEDGE_03, "the tool would run this arc backwards: the contour is narrower than the tool";
+        /// [TRC-START-07]
+        EntryTooShort = "entry-too-short", TRC_START_07, "the entry move is not longer than the tool radius";
+        /// [TRC-START-09]
+        NoEntryArc = "no-entry-arc", TRC_START_09, "no arc leads from the start of the entry to its compensated end";
+        /// [TRC-MODE-05]
+        SameCode = "same-code", TRC_MODE_05, "compensation is on already";
+        /// [TRC-MODE-08]
+        PlaneChangeInMode = "plane-change-in-mode", TRC_MODE_08, "the plane changes while compensation is in force";
+        /// [TRC-MODE-08]
+        ReferenceReturnInMode = "reference-return-in-mode", TRC_MODE_08, "a reference return while compensation is in force";
+        /// [TRC-MODE-08]
+        MachineCoordinatesInMode = "machine-coordinates-in-mode", TRC_MODE_08, "machine coordinates while compensation is in force";
+        /// [TRC-MODE-08]
+        SetCoordinatesInMode = "set-coordinates-in-mode", TRC_MODE_08, "the coordinate system is set while compensation is in force";
+        /// [TRC-MODE-08]
+        ToolChangeInMode = "tool-change-in-mode", TRC_MODE_08, "a tool change while compensation is in force";
+        /// [TRC-MODE-08]
+        CannedCycleInMode = "canned-cycle-in-mode", TRC_MODE_08, "a canned cycle while compensation is in force";
         /// [TRC-MODE-07]
-        OutOfRange = "out-of-range", TRC_MODE_07, "a number in this block is not finite, beyond a million metres, or a negative radius";
+        OutOfRange = "out-of-range", TRC_MODE_07, "a number in this block is not finite, beyond a million metres, or a negative radius that is not allowed";
     }
 }
 

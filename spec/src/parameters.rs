@@ -25,6 +25,10 @@ choices! {
     StartUp {
         /// At right angles to the next block, one straight move ([TRC-START-02]).
         TypeA = "type-a",
+        /// As type A at an inner corner, over the corner at an outer one ([TRC-START-06]).
+        TypeB = "type-b",
+        /// At right angles to the start-up block itself, then an ordinary corner ([TRC-START-07]).
+        EntryNormal = "entry-normal",
     }
     /// Start-up whose next element is not found within the look-ahead ([TRC-START-04]).
     StartUpLost {
@@ -37,20 +41,26 @@ choices! {
     Cancel {
         /// From the normal of the block before ([TRC-CANCEL-01]).
         TypeA = "type-a",
+        /// As type A at an inner corner, over the corner at an outer one ([TRC-CANCEL-05]).
+        TypeB = "type-b",
     }
     /// How an outer corner is rounded.
     OuterCorner {
         /// By intersection, squared off when acute ([TRC-CORNER-06], [TRC-CORNER-08]); M97.
         Intersection = "intersection",
-        /// By an arc about the corner ([TRC-CORNER-10]); M96.
+        /// By an arc about the corner ([TRC-CORNER-10]); M96, G450.
         Arc = "arc",
+        /// By intersection down to a limit angle, by an arc below it ([TRC-CORNER-13]); G451.
+        LimitAngle = "limit-angle",
     }
-    /// Whether M96 and M97 choose the outer corner ([TRC-CORNER-11]).
+    /// Whether codes choose the outer corner ([TRC-CORNER-11]).
     CornerCodes {
-        /// They do not: an error of the program.
+        /// None do: they are errors of the program.
         None = "none",
-        /// They do.
+        /// M96 an arc, M97 intersection.
         M96M97 = "m96-m97",
+        /// G450 an arc, G451 intersection down to the limit angle.
+        G450G451 = "g450-g451",
     }
     /// An exact reversal of direction ([TRC-CORNER-09]).
     Reversal {
@@ -64,6 +74,10 @@ choices! {
         /// The contact point if it lies on both offset elements extended by the radius ([TRC-SIDE-02]), else the
         /// two normals ([TRC-SIDE-03]).
         IntersectionWithin = "intersection-within",
+        /// The contact point wherever it lies ([TRC-SIDE-05]), else the two normals.
+        Intersection = "intersection",
+        /// Over the whole of the block with the new side ([TRC-SIDE-06]).
+        Crossing = "crossing",
         /// Always the two normals.
         TwoNormals = "two-normals",
         /// An alarm.
@@ -96,6 +110,131 @@ choices! {
         None = "none",
         /// They do.
         Ijk = "ijk",
+    }
+    /// What start-up and cancel of type B pass besides the corner ([TRC-START-06], [TRC-CANCEL-05]).
+    StartUpB {
+        /// The normal of the start-up or cancel block too.
+        ViaNormal = "via-normal",
+        /// The corner alone.
+        Direct = "direct",
+    }
+    /// A start-up code in a block without movement ([TRC-START-08]).
+    StartUpWithoutMovement {
+        /// It acts on the next block that moves ([TRC-MODE-02]).
+        None = "none",
+        /// The tool moves to the normal of the next element at once; type C.
+        Shift = "shift",
+    }
+    /// An arc as start-up block.
+    StartUpArc {
+        /// An alarm ([TRC-START-03]).
+        Alarm = "alarm",
+        /// Run about a moved centre ([TRC-START-09]).
+        MovedCentre = "moved-centre",
+    }
+    /// G40 in a block without movement.
+    CancelWithoutMovement {
+        /// The next block that moves is the cancel block ([TRC-CANCEL-03]).
+        None = "none",
+        /// The tool moves to the programmed point at once; type C ([TRC-CANCEL-06]).
+        Shift = "shift",
+    }
+    /// Offset number 0 ([TRC-CANCEL-07]).
+    OffsetZero {
+        /// Compensation is off while it is in force.
+        Cancel = "cancel",
+        /// The program reader refuses it while compensation is in force.
+        Refused = "refused",
+    }
+    /// What stands for an arc beyond its end, at an outer corner formed by intersection.
+    ArcExtension {
+        /// Its tangent ([TRC-CORNER-06], [TRC-CORNER-07]).
+        Tangent = "tangent",
+        /// Its own circle ([TRC-CORNER-14]).
+        Curve = "curve",
+    }
+    /// An outer corner by an arc that a rapid block owns ([TRC-CORNER-17]).
+    ArcOnRapid {
+        /// The arc.
+        Arc = "arc",
+        /// Its chord.
+        Line = "line",
+    }
+    /// The code of the side in force, given again ([TRC-MODE-05]).
+    SameCode {
+        /// No effect.
+        Ordinary = "ordinary",
+        /// The block before ends on its normal.
+        Normal = "normal",
+        /// An alarm.
+        Alarm = "alarm",
+    }
+    /// A negative tool radius ([TRC-SIDE-07]).
+    NegativeRadius {
+        /// The sides are exchanged.
+        SwapsSides = "swaps-sides",
+        /// An alarm ([TRC-MODE-07]).
+        Alarm = "alarm",
+    }
+    /// An arc with the tool inside and exactly its radius ([TRC-ARC-08]).
+    EqualRadius {
+        /// An alarm ([TRC-ARC-05]).
+        Alarm = "alarm",
+        /// The tool stands at the centre of the arc.
+        DegeneratePoint = "degenerate-point",
+    }
+    /// A straight move of length zero in mode ([TRC-LOOK-07]).
+    ZeroLengthMove {
+        /// One of the blocks without movement.
+        NoMovement = "no-movement",
+        /// Look-ahead is lost there.
+        BreaksLookAhead = "breaks-look-ahead",
+    }
+    /// M00, M01, M02 and M30 in mode ([TRC-LOOK-08]).
+    ReadAheadStop {
+        /// Blocks without movement.
+        NoMovement = "no-movement",
+        /// Look-ahead is lost there.
+        BreaksLookAhead = "breaks-look-ahead",
+    }
+    /// A code in mode ([TRC-MODE-08]).
+    InMode {
+        /// An alarm at its block.
+        Alarm = "alarm",
+        /// The program reader refuses it, by name.
+        Unsupported = "unsupported",
+    }
+    /// A tool change in mode ([TRC-MODE-08]).
+    ToolChange {
+        /// A block without movement.
+        NoMovement = "no-movement",
+        /// An alarm at its block.
+        Alarm = "alarm",
+        /// The program reader refuses it, by name.
+        Unsupported = "unsupported",
+    }
+    /// Where the imaginary tool tip stands, seen from the nose centre, in radii along the plane's axes ([TRC-TIP-01]).
+    Tip {
+        /// The centre itself.
+        Centre = "0 0",
+        /// The corner at greater a and b.
+        PlusPlus = "+1 +1",
+        /// The corner at smaller a and greater b.
+        MinusPlus = "-1 +1",
+        /// The corner at smaller a and b.
+        MinusMinus = "-1 -1",
+        /// The corner at greater a and smaller b.
+        PlusMinus = "+1 -1",
+        /// Beside the centre at greater a.
+        Plus = "+1 0",
+        /// Beside the centre at smaller a.
+        Minus = "-1 0",
+        /// Beside the centre at greater b.
+        UpPlus = "0 +1",
+        /// Beside the centre at smaller b.
+        UpMinus = "0 -1",
+        /// The control has no such orientation.
+        Absent = "absent",
     }
     /// X words, or the I word of a dummy block, as radius or diameter ([TRC-PLANE-03], [TRC-DUMMY-05]).
     Measure {
@@ -157,8 +296,8 @@ pub struct Parameters {
     pub side_change: SideChange,
     /// Side change after start-up.
     pub side_change_after_start_up: SideChangeAfterStartUp,
-    /// Blocks without movement allowed between two moves, at most [`MOST_NON_MOVING`].
-    pub non_moving_allowed: u8,
+    /// Blocks without movement allowed between two moves, at most [`MOST_NON_MOVING`]; none: any number.
+    pub non_moving_allowed: Option<u8>,
     /// Owner of corner moves.
     pub corner_owner: CornerOwner,
     /// Reaction to a reversed path.
@@ -167,4 +306,32 @@ pub struct Parameters {
     pub arc_end_tolerance: Ratio,
     /// An intersection farther from its corner than this many radii is advised.
     pub far_intersection: Ratio,
+    /// What type B passes besides the corner.
+    pub start_up_b: StartUpB,
+    /// A start-up code in a block without movement.
+    pub start_up_without_movement: StartUpWithoutMovement,
+    /// An arc as start-up block.
+    pub start_up_arc: StartUpArc,
+    /// G40 in a block without movement.
+    pub cancel_without_movement: CancelWithoutMovement,
+    /// Cosine of the limit angle of outer corners by intersection, from 0 to 1.
+    pub corner_limit_cosine: Ratio,
+    /// What stands for an arc beyond its end.
+    pub arc_extension: ArcExtension,
+    /// Cosine of the angle below which type B passes a single vector; 0: no such angle.
+    pub smallest_corner_cosine: Ratio,
+    /// Cosine of the turn up to which a corner counts as straight; 0: no such turn.
+    pub straight_band_cosine: Ratio,
+    /// Corner arcs owned by rapid blocks.
+    pub arc_on_rapid: ArcOnRapid,
+    /// Vectors of one corner that differ by no more than this in each coordinate are one, in millimetres; 0: none are.
+    pub small_vector_limit: Ratio,
+    /// The same code again.
+    pub same_code: SameCode,
+    /// A negative tool radius.
+    pub negative_radius: NegativeRadius,
+    /// An arc whose radius is the tool's.
+    pub equal_radius: EqualRadius,
+    /// A straight move of length zero.
+    pub zero_length_move: ZeroLengthMove,
 }

@@ -2,7 +2,8 @@
 //!
 //! A profile gives every parameter, with a value, a source tag and the clause that the parameter belongs to. Nothing has
 //! a default: a file that leaves a parameter out is refused, unless it says `extends` and names a built-in profile to
-//! take the rest from. [`PARAMETERS`] is the one table of names, meanings, values and clauses.
+//! take the rest from. [`PARAMETERS`] is the one table of names, meanings, values and clauses. Each alarm has the
+//! control's own number with its source, or is listed as unnumbered.
 //!
 //! ```
 //! use radcomp_spec::profile::Profile;
@@ -18,6 +19,9 @@
 //! # Ok::<(), radcomp_spec::profile::ProfileError>(())
 //! ```
 
+mod alarms;
+#[cfg(test)]
+mod dialects;
 mod error;
 #[cfg(test)]
 mod page;
@@ -32,7 +36,11 @@ pub use error::{ProfileError, ProfileErrorKind};
 pub use table::{PARAMETERS, Parameter};
 
 use crate::clause::Clause;
-use crate::parameters::{Activation, CornerCodes, Dummy, Measure, Parameters, Plane, Ratio};
+use crate::outcome::AlarmKind;
+use crate::parameters::{
+    Activation, CornerCodes, Dummy, InMode, Measure, OffsetZero, Parameters, Plane, Ratio, ReadAheadStop, Tip,
+    ToolChange,
+};
 
 /// A control, as far as compensation can tell it from others.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,6 +55,10 @@ pub struct Profile {
     pub activation: [Activation; 5],
     /// What compensation asks.
     pub parameters: Parameters,
+    /// Where the imaginary tip of each orientation T0 to T9 stands ([TRC-TIP-01]).
+    pub tips: [Tip; 10],
+    /// The control's own name of each alarm: one entry for each of [`AlarmKind::ALL`], in its order.
+    pub alarms: Vec<AlarmNumber>,
     /// Where each value comes from: one entry for each of [`PARAMETERS`], in its order.
     pub provenance: Vec<Provenance>,
 }
@@ -64,8 +76,35 @@ pub struct Machine {
     pub dummy: Dummy,
     /// The I word of a dummy block as radius or diameter value ([TRC-DUMMY-05]).
     pub dummy_first_axis: Measure,
-    /// Whether M96 and M97 choose the outer corner ([TRC-CORNER-11]).
+    /// Which codes choose the outer corner ([TRC-CORNER-11]).
     pub corner_codes: CornerCodes,
+    /// A change of plane in mode ([TRC-MODE-08]).
+    pub plane_change: InMode,
+    /// G28, G29 and G30 in mode ([TRC-MODE-08]).
+    pub reference_return: InMode,
+    /// G53 in mode ([TRC-MODE-08]).
+    pub machine_coordinates: InMode,
+    /// G92, or G50 of a lathe, in mode ([TRC-MODE-08]).
+    pub set_coordinates: InMode,
+    /// M06 in mode ([TRC-MODE-08]).
+    pub tool_change: ToolChange,
+    /// Canned cycles in mode ([TRC-MODE-08]).
+    pub canned_cycle: InMode,
+    /// M00, M01, M02 and M30 in mode ([TRC-LOOK-08]).
+    pub read_ahead_stop: ReadAheadStop,
+    /// Offset number 0 ([TRC-CANCEL-07]).
+    pub offset_zero: OffsetZero,
+}
+
+/// What the control itself calls an alarm.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AlarmNumber {
+    /// The alarm.
+    pub kind: AlarmKind,
+    /// The control's number or text; none if the sources give none, or the control has no such alarm.
+    pub number: Option<String>,
+    /// The source tags of the number; empty if there is none.
+    pub source: String,
 }
 
 /// Where the value of one parameter comes from.
@@ -83,8 +122,19 @@ pub struct Provenance {
 
 /// The built-in profiles: name and file text.
 pub const BUILTIN: &[(&str, &str)] = &[
+    ("fanuc-16", include_str!("../profiles/fanuc-16.toml")),
+    ("fanuc-30i", include_str!("../profiles/fanuc-30i.toml")),
+    ("haas-a", include_str!("../profiles/haas-a.toml")),
+    ("haas-b", include_str!("../profiles/haas-b.toml")),
+    ("linuxcnc", include_str!("../profiles/linuxcnc.toml")),
+    ("mitsubishi-m700", include_str!("../profiles/mitsubishi-m700.toml")),
     ("mori-lathe", include_str!("../profiles/mori-lathe.toml")),
+    ("okuma-osp", include_str!("../profiles/okuma-osp.toml")),
     ("seed-mill", include_str!("../profiles/seed-mill.toml")),
+    ("siemens-840d", include_str!("../profiles/siemens-840d.toml")),
+    ("siemens-840d-g451", include_str!("../profiles/siemens-840d-g451.toml")),
+    ("siemens-840d-kont", include_str!("../profiles/siemens-840d-kont.toml")),
+    ("siemens-840d-kont-g451", include_str!("../profiles/siemens-840d-kont-g451.toml")),
     ("yasnac-lx", include_str!("../profiles/yasnac-lx.toml")),
 ];
 
@@ -117,6 +167,11 @@ impl Profile {
             Ok(text) => Profile::parse(&text, &file_name),
             Err(reason) => Err(ProfileError::unreadable(&file_name, &reason)),
         }
+    }
+
+    /// What the control itself calls an alarm, where its sources say so.
+    pub fn alarm_number(&self, kind: AlarmKind) -> Option<&str> {
+        self.alarms.iter().find(|alarm| alarm.kind == kind)?.number.as_deref()
     }
 
     /// Where the value of the parameter with this key comes from; none if there is no such parameter.

@@ -1,16 +1,18 @@
 //! Tangents and right angles: [TRC-CORNER-01], [TRC-CORNER-08], [TRC-SIDE-02], [TRC-LOOK-05], [TRC-ARC-07].
 
 use radcomp_spec::Side;
+use radcomp_spec::parameters::ArcExtension;
 use rug::Rational;
 
 use super::arm::{Arm, tool_for};
+use super::asked::{asks_contacts, can_lose_look_ahead};
 use super::choice::Choice;
 use super::figure::{Figure, Nudge, Pause, What};
 use super::point::Point;
 use crate::generate::Reach;
 
 /// Two elements that meet at the origin, the first along (1, 0).
-struct Corner {
+pub(super) struct Corner {
     before: Arm,
     after: Arm,
     along: Point,
@@ -18,18 +20,18 @@ struct Corner {
 }
 
 impl Corner {
-    fn new(before: Arm, after: Arm, onward: Point) -> Self {
+    pub(super) fn new(before: Arm, after: Arm, onward: Point) -> Self {
         Corner { before, after, along: Point::new(1, 0), onward }
     }
 
-    fn figure(&self, family: &'static str, sides: [Side; 2], choice: &mut Choice) -> Figure {
+    pub(super) fn figure(&self, family: &'static str, sides: [Side; 2], choice: &mut Choice) -> Figure {
         let figure = Figure::new(family, self.before.start(&self.along)).on(Some(sides[0]));
         let figure = self.before.arrive(figure, &self.along).on(Some(sides[1]));
         self.after.leave(figure, &self.onward).tool(tool_for(&[&self.before, &self.after], choice))
     }
 
     /// Nudges one of the elements, given the gradients of the margin for the two tangents.
-    fn nudged(&self, figure: Figure, gradients: [Point; 2], choice: &mut Choice) -> Figure {
+    pub(super) fn nudged(&self, figure: Figure, gradients: [Point; 2], choice: &mut Choice) -> Figure {
         let (what, toward) =
             if choice.coin() { self.before.turning(0, &gradients[0]) } else { self.after.turning(1, &gradients[1]) };
         figure.nudge(what, toward)
@@ -40,6 +42,12 @@ impl Corner {
         [self.onward.perp().opposite(), self.along.perp()]
     }
 
+    /// Gradients of `dot(u1, u2)` for unit vectors, which only turn.
+    pub(super) fn of_cosine(&self) -> [Point; 2] {
+        let turning = |of: &Point, toward: &Point| toward.minus(&of.times(&of.dot(toward)));
+        [turning(&self.along, &self.onward), turning(&self.onward, &self.along)]
+    }
+
     /// Gradients of `dot(u1, u2)`.
     fn of_dot(&self) -> [Point; 2] {
         [self.onward.clone(), self.along.clone()]
@@ -47,10 +55,11 @@ impl Corner {
 }
 
 /// [TRC-CORNER-01] tangent joins and exact reversals; [TRC-SIDE-02] parallel lines at a change of side.
-pub(super) fn turn(choice: &mut Choice) -> Option<Figure> {
-    let reversal = choice.coin();
+pub(super) fn turn(choice: &mut Choice, reach: Reach) -> Option<Figure> {
+    // Where turns up to an angle count as straight, a tangent join asks nothing more ([TRC-CORNER-16]).
+    let reversal = choice.coin() || reach.parameters().straight_band_cosine.numerator > 0;
     let onward = Point::new(if reversal { -1 } else { 1 }, 0);
-    if choice.below(4) == 0 {
+    if choice.below(4) == 0 && asks_contacts(reach) {
         let corner = Corner::new(Arm::line(choice), Arm::line(choice), onward);
         let family = if reversal { "side change on a reversal" } else { "side change straight on" };
         let figure = corner.figure(family, [Side::Left, Side::Right], choice);
@@ -75,8 +84,11 @@ pub(super) fn turn(choice: &mut Choice) -> Option<Figure> {
 }
 
 /// [TRC-CORNER-08] outer corners of exactly 90°.
-pub(super) fn right_angle(choice: &mut Choice) -> Option<Figure> {
-    let corner = Corner::new(Arm::any(choice), Arm::any(choice), Point::new(0, -1));
+pub(super) fn right_angle(choice: &mut Choice, reach: Reach) -> Option<Figure> {
+    // An arc that is extended by itself asks for no angle ([TRC-CORNER-14]).
+    let lines = reach.parameters().arc_extension == ArcExtension::Curve;
+    let arm = |choice: &mut Choice| if lines { Arm::line(choice) } else { Arm::any(choice) };
+    let corner = Corner::new(arm(choice), arm(choice), Point::new(0, -1));
     let family = match (corner.before.is_arc(), corner.after.is_arc()) {
         (false, false) => "right angle of lines",
         (false, true) => "right angle of line and arc",
@@ -102,7 +114,7 @@ pub(super) fn whole_turn(choice: &mut Choice) -> Option<Figure> {
 /// [TRC-LOOK-05] arcs after a settled junction whose straight move is at right angles to the tangent or of no length:
 /// tangent to the element before it, or its reversal; or half as far around the corner as the dummy block said.
 pub(super) fn line_in(choice: &mut Choice, reach: Reach) -> Option<Figure> {
-    if reach.dummies && choice.coin() {
+    if reach.dummies() && (!can_lose_look_ahead(reach) || choice.coin()) {
         return Some(half_of_dummy(choice));
     }
     let onward = Point::new(if choice.coin() { -1 } else { 1 }, 0);

@@ -26,6 +26,8 @@ pub(super) struct Figure {
     /// Where the tool stands before the first vertex, and where it goes after the last, when that matters.
     pub(super) approach: Option<Point>,
     pub(super) away: Option<Point>,
+    /// How the start-up block leads to the first vertex.
+    pub(super) entry: Shape,
     side: Option<Side>,
 }
 
@@ -91,6 +93,7 @@ impl Figure {
             reversible: true,
             approach: None,
             away: None,
+            entry: Shape::Line,
             side: Some(Side::Left),
         }
     }
@@ -172,12 +175,14 @@ impl Figure {
         for vertex in self.vertices.iter_mut().chain(&mut self.approach).chain(&mut self.away) {
             *vertex = point(vertex);
         }
-        for each in &mut self.moves {
-            match &mut each.shape {
+        for shape in self.moves.iter_mut().map(|each| &mut each.shape).chain([&mut self.entry]) {
+            match shape {
                 Shape::Line => {}
                 Shape::Arc { centre, .. } => *centre = point(centre),
                 Shape::Radius { radius, .. } => *radius *= scale,
             }
+        }
+        for each in &mut self.moves {
             if let Pause::Dummy(along) = &mut each.pause {
                 *along = vector(along);
             }
@@ -192,7 +197,9 @@ impl Figure {
     pub(super) fn mirror_codes(&mut self) {
         for each in &mut self.moves {
             each.side = each.side.map(Side::other);
-            if let Shape::Arc { sense, .. } | Shape::Radius { sense, .. } = &mut each.shape {
+        }
+        for shape in self.moves.iter_mut().map(|each| &mut each.shape).chain([&mut self.entry]) {
+            if let Shape::Arc { sense, .. } | Shape::Radius { sense, .. } = shape {
                 *sense = sense.reversed();
             }
         }
@@ -203,7 +210,11 @@ impl Figure {
 
     /// Every number that a program writes, apart from the place of the whole contour.
     pub(super) fn numbers(&self) -> impl Iterator<Item = &Rational> {
-        let points = self.vertices.iter().chain(&self.approach).chain(&self.away);
+        let entry = match &self.entry {
+            Shape::Arc { centre, .. } => Some(centre),
+            Shape::Line | Shape::Radius { .. } => None,
+        };
+        let points = self.vertices.iter().chain(&self.approach).chain(&self.away).chain(entry);
         let of_moves = self.moves.iter().flat_map(|each| {
             let (point, word) = match &each.shape {
                 Shape::Line => (None, None),

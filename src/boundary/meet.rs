@@ -1,4 +1,4 @@
-//! Offset curves that touch: [TRC-CORNER-05], [TRC-SIDE-02].
+//! Offset curves that touch: [TRC-CORNER-05], [TRC-CORNER-14], [TRC-SIDE-02].
 //!
 //! An offset line touches an offset circle only when the tool runs inside the arc: outside it the radius grows as fast
 //! as the distance, and the curves touch at tangents alone, where no corner asks. Two offset circles touch from
@@ -16,19 +16,24 @@ use super::point::Point;
 
 /// [TRC-CORNER-05] inner corners.
 pub(super) fn offsets_meet(choice: &mut Choice) -> Option<Figure> {
-    touching(choice, Side::Left)
+    touching(choice, Side::Left, false)
+}
+
+/// [TRC-CORNER-14] outer corners, the curves extended.
+pub(super) fn extensions_meet(choice: &mut Choice) -> Option<Figure> {
+    touching(choice, Side::Left, true)
 }
 
 /// [TRC-SIDE-02] the same curves at a change of side, the second element run the other way.
 pub(super) fn contact_exists(choice: &mut Choice) -> Option<Figure> {
-    touching(choice, Side::Right)
+    touching(choice, Side::Right, false)
 }
 
-fn touching(choice: &mut Choice, side: Side) -> Option<Figure> {
+fn touching(choice: &mut Choice, side: Side, outer: bool) -> Option<Figure> {
     match choice.below(3) {
-        0 => line_and_arc(choice, side),
-        1 => arcs(choice, side, true),
-        _ => arcs(choice, side, false),
+        0 => line_and_arc(choice, side, outer),
+        1 => arcs(choice, side, outer, true),
+        _ => arcs(choice, side, outer, false),
     }
 }
 
@@ -40,10 +45,11 @@ fn seen_from(side: Side, sense: Direction) -> Direction {
     }
 }
 
-/// The line y = r and the circle of radius R - r about (-a, b) touch when r = (R + b) / 2.
-fn line_and_arc(choice: &mut Choice, side: Side) -> Option<Figure> {
+/// The line y = r and the circle of radius R - r about (∓a, b) touch when r = (R + b) / 2.
+fn line_and_arc(choice: &mut Choice, side: Side, outer: bool) -> Option<Figure> {
     let radius = choice.length();
-    let centre = choice.slant().perp().times(&radius);
+    let slant = choice.slant();
+    let centre = if outer { slant } else { slant.perp() }.times(&radius);
     let centre = if choice.coin() { centre } else { centre.mirrored() };
     let tool = Rational::from(&radius + &centre.b) / 2;
     let sense = seen_from(side, Counterclockwise);
@@ -57,7 +63,7 @@ fn line_and_arc(choice: &mut Choice, side: Side) -> Option<Figure> {
 }
 
 /// Circles about (-x1, 0) and (x2, 0) through (0, ±1), scaled.
-fn arcs(choice: &mut Choice, side: Side, from_outside: bool) -> Option<Figure> {
+fn arcs(choice: &mut Choice, side: Side, outer: bool, from_outside: bool) -> Option<Figure> {
     // x = (1/t - t)/2 and R = (1/t + t)/2 with t the half-angle tangent: R² = x² + 1.
     let mut leg = || -> (Rational, Rational) {
         let tangent = choice.any_half_angle();
@@ -75,7 +81,7 @@ fn arcs(choice: &mut Choice, side: Side, from_outside: bool) -> Option<Figure> {
         (Clockwise, (Rational::from(&apart + &r1) - &r2) / 2, -1)
     };
     let second = seen_from(side, second);
-    let corner = Point::new(0, y);
+    let corner = Point::new(0, if outer { -y } else { y });
     let (c1, c2) = (Point::new(-x1, 0), Point::new(x2, 0));
     let start = c1.plus(&swept(&corner.minus(&c1), &choice.sweep(), Clockwise));
     let end = c2.plus(&swept(&corner.minus(&c2), &choice.sweep(), second));

@@ -18,13 +18,22 @@
 //!   together: the margin is zero at every tool radius and turns negative at none;
 //! * `near-corner`: at a limit of five radii no corner with a line lies on it, because √24 is no ratio of decimals
 //!   (`wedge.rs` proves it); two arcs do;
+//! * `end-on-arc`: a tolerance that is no whole number of thousandths has no programs in whole thousandths (`asked.rs`);
+//! * `smallest-corner`, `limit-angle` and `straight-band`: where √(1 - L²) is irrational, no two decimal vectors stand at
+//!   an angle of cosine L (`asked.rs`), as with the limits of the built-in profiles but 90°;
+//! * `right-angle` asks nothing where outer corners are no intersections, `line-in-forward` where nothing loses the
+//!   look-ahead, and the contacts of a change of side where there is no such change;
+//! * `entry-arc`: with the tool outside an arc no start lies on it;
 //! * `nearer-contact` with a line asks for a tool of at least four times the arc's radius.
 
 mod arm;
+mod asked;
 mod choice;
 mod contact;
 mod corner;
+mod entry;
 mod figure;
+mod limit;
 mod meet;
 mod place;
 mod point;
@@ -36,6 +45,7 @@ use radcomp_spec::{Block, DecisionKind};
 use rug::Rational;
 
 use crate::generate::Reach;
+pub use asked::is_asked;
 use choice::Choice;
 use figure::Figure;
 use program::Ends;
@@ -61,15 +71,20 @@ impl Triple {
 /// How often a contour is drawn until one can be written in thousandths of a millimetre.
 const MOST_DRAWS: usize = 400;
 
-/// The triple with this number for a decision, in the sequence of a seed. None if no contour was found within a
-/// bounded number of draws, which has not been seen in 100,000 triples.
-///
-/// Under the parameters of the built-in profiles the program in the middle takes the decision with margin zero: the
-/// families of [`DecisionKind::EndOnArc`] and [`DecisionKind::NearCorner`] are made for an `arc-end-tolerance` of 0.01
-/// and a `far-intersection` of 5. Under others it may not come to that decision; the rules answer it all the same.
+/// The triple with this number for a decision, in the sequence of a seed: the program in the middle takes the decision
+/// with margin zero. None for a decision that [`is_asked`] rules out, and if no contour was found within a bounded number
+/// of draws.
 pub fn triples(kind: DecisionKind, seed: u64, number: u64, reach: Reach) -> Option<Triple> {
+    if !is_asked(kind, reach) {
+        return None;
+    }
     let mut choice = Choice::new(seed, kind as u64, number);
-    let figure = (0..MOST_DRAWS).find_map(|_| place::place(figure(kind, &mut choice, reach)?, &mut choice))?;
+    let figure = (0..MOST_DRAWS).find_map(|_| {
+        let figure = figure(kind, &mut choice, reach)?;
+        // A corner that counts as straight is not formed, whatever it was to decide ([TRC-CORNER-16]).
+        let formed = kind == DecisionKind::StraightBand || !program::has_straight_corner(&figure, reach);
+        formed.then(|| place::place(figure, &mut choice)).flatten()
+    })?;
     let mut off = || [choice.between(-8, 8) * 1000 + 500, choice.between(-8, 8) * 1000 + 500];
     let ends = Ends { approach: off(), away: off(), code_apart: choice.below(3) == 0 };
     let at = |steps| program::program(&place::neighbour(&figure, steps), &ends, reach);
@@ -88,16 +103,23 @@ fn figure(kind: DecisionKind, choice: &mut Choice, reach: Reach) -> Option<Figur
         DecisionKind::Moves => words::moves(choice),
         DecisionKind::CentreDistance => words::centre_distance(choice),
         DecisionKind::ChordFits => words::chord_fits(choice),
-        DecisionKind::EndOnArc => words::end_on_arc(choice),
+        DecisionKind::EndOnArc => words::end_on_arc(choice, reach),
         DecisionKind::WholeTurn => corner::whole_turn(choice),
         DecisionKind::ToolFitsArc => words::tool_fits(choice),
         DecisionKind::CentresApart => contact::centres_apart(choice),
-        DecisionKind::Turn => corner::turn(choice),
-        DecisionKind::RightAngle => corner::right_angle(choice),
+        DecisionKind::Turn => corner::turn(choice, reach),
+        DecisionKind::RightAngle => corner::right_angle(choice, reach),
         DecisionKind::OffsetsMeet => meet::offsets_meet(choice),
         DecisionKind::ContactExists => meet::contact_exists(choice),
         DecisionKind::ContactWithin => contact::contact_within(choice),
         DecisionKind::NearerContact => contact::nearer_contact(choice),
+        DecisionKind::EntryLength => entry::entry_length(choice, reach),
+        DecisionKind::EntryArc => entry::entry_arc(choice),
+        DecisionKind::SmallestCorner => limit::smallest_corner(choice, reach),
+        DecisionKind::LimitAngle => limit::limit_angle(choice, reach),
+        DecisionKind::ExtensionsMeet => meet::extensions_meet(choice),
+        DecisionKind::StraightBand => limit::straight_band(choice, reach),
+        DecisionKind::SmallVector => limit::small_vector(choice, reach),
         DecisionKind::LineForward => wedge::line_forward(choice),
         DecisionKind::ArcForward => wedge::arc_forward(choice),
         DecisionKind::LineInForward => corner::line_in(choice, reach),

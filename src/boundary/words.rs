@@ -4,9 +4,11 @@ use radcomp_spec::Side;
 use rug::Rational;
 
 use super::arm::{Arm, swept};
+use super::asked::thousandths;
 use super::choice::Choice;
 use super::figure::{Figure, What};
 use super::point::Point;
+use crate::generate::Reach;
 
 /// [TRC-LOOK-01] moves of no length: anywhere, and where they stand for the start-up, the cancel or an arc with R.
 pub(super) fn moves(choice: &mut Choice) -> Option<Figure> {
@@ -78,15 +80,16 @@ pub(super) fn chord_fits(choice: &mut Choice) -> Option<Figure> {
     })
 }
 
-/// [TRC-ARC-03] radii that differ by exactly 0.01 mm, the tolerance of every built-in profile.
-pub(super) fn end_on_arc(choice: &mut Choice) -> Option<Figure> {
+/// [TRC-ARC-03] radii that differ by exactly the tolerance.
+pub(super) fn end_on_arc(choice: &mut Choice, reach: Reach) -> Option<Figure> {
     const RAYS: [(i64, i64, i64); 7] =
         [(1, 0, 1), (3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25), (20, 21, 29), (33, 56, 65)];
     let (a, b, h) = choice.pick(&RAYS);
     let times = choice.between(400, 60_000) / h + 2;
     let (c, d, k) = choice.pick(&RAYS);
-    // k·other = h·times ± 10, which has no answer for some pairs.
-    let wanted = h * times + choice.pick(&[-10, 10]);
+    let tolerance = thousandths(reach.parameters().arc_end_tolerance)?;
+    // k·other = h·times ± tolerance, which has no answer for some pairs.
+    let wanted = h * times + choice.pick(&[-tolerance, tolerance]);
     if wanted % k != 0 || wanted <= 0 {
         return None;
     }
@@ -96,7 +99,7 @@ pub(super) fn end_on_arc(choice: &mut Choice) -> Option<Figure> {
     let side = choice.coin().then_some(Side::Left);
     let tool = Rational::from(choice.between(1, h * times / 2));
     let start = from.plus(&choice.of_fives().times(&Rational::from(choice.between(1, 900) * 25)));
-    let mut figure = Figure::new("radii 0.01 apart", start).on(side).tool(tool).line(from);
+    let mut figure = Figure::new("radii one tolerance apart", start).on(side).tool(tool).line(from);
     figure = figure.arc(to.clone(), Point::origin(), choice.sense());
     if choice.coin() {
         figure = figure.line(to.times(&Rational::from(2)));

@@ -7,8 +7,10 @@ use std::thread;
 
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use radcomp::boundary;
 use radcomp::certify::{Campaign, Failure as Failed, Level, Outcome, certify};
 use radcomp::explain::first_sentence;
+use radcomp::generate::Reach;
 use radcomp::judge::{Budget, Grade, Verdict as Judgement};
 use radcomp::report::{BrokenRecord, Cause, Head, Report};
 use radcomp_spec::profile::Profile;
@@ -104,6 +106,7 @@ impl Certify {
         device::knock(&name, &campaign.profile, self.limits.limits())?;
         let mut out = terminal::output();
         writeln!(out, "certify {}, profile {}, level {}", self.device, campaign.profile.name, self.level)?;
+        writeln!(out, "{}: radcomp's reading of its sources, not its maker's word", campaign.profile.title)?;
         let grade = match campaign.budget.grade {
             Grade::Binary64 => "binary64, β = 2⁻⁴⁰ × the largest number of each program",
             Grade::Resolution => "resolution, β = half the least input increment",
@@ -216,8 +219,11 @@ pub(super) fn print(
     for (id, [negative, zero, positive]) in &outcome.tally.decisions {
         writeln!(out, "{id:<18}{negative:>10}{zero:>10}{positive:>10}")?;
     }
-    let missing: Vec<_> =
-        outcome.tally.one_sided().iter().map(|(kind, side)| format!("{} ({side})", kind.id())).collect();
+    // What the profile never asks is not missed.
+    let reach = Reach::of(profile);
+    let sides = outcome.tally.one_sided();
+    let asked = sides.iter().filter(|(kind, _)| boundary::is_asked(*kind, reach));
+    let missing: Vec<_> = asked.map(|(kind, side)| format!("{} ({side})", kind.id())).collect();
     if !missing.is_empty() {
         writeln!(out, "not exercised: {}", missing.join(", "))?;
     }

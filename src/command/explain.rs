@@ -84,7 +84,7 @@ impl Explain {
             None => Ok(Verdict::Green),
             Some(raised) => {
                 if let Some(block) = ledger.block(raised.block) {
-                    alarm::report(&control.name, raised, &block.source);
+                    alarm::report(&control, raised, &block.source);
                 }
                 Ok(Verdict::Red)
             }

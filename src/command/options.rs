@@ -5,7 +5,7 @@ use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use radcomp::gcode::{MOST_DIGITS, Tools};
+use radcomp::gcode::{MOST_DIGITS, Tool, Tools};
 use radcomp_model::number::parse_decimal;
 use radcomp_spec::profile::{BUILTIN, Profile};
 use rug::Rational;
@@ -25,11 +25,11 @@ pub struct Options {
     #[arg(long, short, value_name = "NAME|FILE.toml")]
     profile: String,
 
-    /// The tool table: the radius of each offset number
+    /// The tool table: radius, wear and tip orientation of each offset number
     #[arg(long, short, value_name = "FILE.toml")]
     tools: Option<PathBuf>,
 
-    /// The radius of offset 1 in millimetres, whatever the tool table says
+    /// The radius of offset 1 in millimetres, wear included, whatever the tool table says
     #[arg(long, short, value_name = "R", value_parser = radius, allow_hyphen_values = true)]
     radius: Option<Rational>,
 
@@ -47,7 +47,8 @@ impl Options {
             None => Tools::empty(),
         };
         if let Some(radius) = &self.radius {
-            tools = tools.with_radius(1, radius.clone());
+            let orientation = tools.tool(1).and_then(|tool| tool.orientation);
+            tools = tools.with_tool(1, Tool { orientation, ..Tool::of_radius(radius.clone()) });
         }
         let name = if self.file == "-" { "standard input".to_owned() } else { self.file.clone() };
         let source = open(&self.file)?;
@@ -58,9 +59,9 @@ impl Options {
 /// A radius in millimetres, exactly.
 fn radius(text: &str) -> Result<Rational, String> {
     let (digits, decimals) = text.split_once('.').unwrap_or((text, ""));
-    let short = digits.len() <= MOST_DIGITS && decimals.len() <= MOST_DIGITS;
-    let radius = parse_decimal(text).filter(|radius| short && !radius.is_negative());
-    radius.ok_or_else(|| format!("a radius is a decimal, 0 or greater, of at most {MOST_DIGITS} digits and decimals"))
+    let short = digits.trim_start_matches('-').len() <= MOST_DIGITS && decimals.len() <= MOST_DIGITS;
+    let radius = parse_decimal(text).filter(|_| short);
+    radius.ok_or_else(|| format!("a radius is a decimal of at most {MOST_DIGITS} digits and decimals"))
 }
 
 fn open(file: &str) -> Result<Box<dyn BufRead>, Failure> {

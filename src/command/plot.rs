@@ -67,7 +67,7 @@ impl Plot {
         if let Some(raised) = raised
             && let Some(source) = sources.get(raised.block)
         {
-            alarm::report(&control.name, raised, source);
+            alarm::report(&control, raised, source);
             return Ok(Verdict::Red);
         }
         Ok(Verdict::Green)

@@ -3,13 +3,13 @@
 use std::io::Write;
 
 use clap::Args;
-use radcomp_spec::profile::{BUILTIN, PARAMETERS, Profile};
+use radcomp_spec::profile::{AlarmNumber, BUILTIN, PARAMETERS, Profile};
 
 use super::failure::{Failure, Verdict};
 use super::options::profile;
 use super::terminal::{self, bold};
 
-/// List the control profiles, or every parameter of one with its value, source and clause
+/// List the control profiles, or every parameter of one with its value, source and clause, and its alarms
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Sources: S:… read in that source, K known from well-known manuals, I derived,
@@ -65,5 +65,17 @@ fn page(profile: &Profile) -> String {
             row.parameter, row.value, row.source, parameter.meaning
         ));
     }
+    text.push_str(&alarms(profile));
     text
+}
+
+/// What the control calls its alarms.
+fn alarms(profile: &Profile) -> String {
+    let name = |alarm: &AlarmNumber| alarm.number.clone().unwrap_or_else(|| "no number in the sources".to_owned());
+    let width = profile.alarms.iter().map(|alarm| alarm.kind.id().len()).max().unwrap_or_default();
+    let rows = profile.alarms.iter().map(|alarm| {
+        let source = if alarm.source.is_empty() { String::new() } else { format!(" ({})", alarm.source) };
+        format!("alarm {:<width$}  {:<14}  {}{source}\n", alarm.kind.id(), alarm.kind.clause().id(), name(alarm))
+    });
+    std::iter::once("\n".to_owned()).chain(rows).collect()
 }

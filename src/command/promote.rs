@@ -66,7 +66,7 @@ impl Promote {
         let name = self.name.clone().or(stem).unwrap_or_default();
         let mut text = format!("# The built-in device was {} when this was promoted.\n", verdict.id());
         text += &format!("name = {name:?}\nstory = {:?}\nprofile = {:?}\n", self.story, profile.name);
-        let radius = |number| listing.tools.radius_of(number).and_then(format_decimal);
+        let radius = |number| listing.tools.tool(number).and_then(|tool| format_decimal(&tool.radius()));
         let others: Vec<_> = (2..=blocks.len() as u32 + 1)
             .filter_map(|number| Some(format!("{number} = \"{}\"", radius(number)?)))
             .collect();

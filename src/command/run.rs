@@ -37,7 +37,7 @@ An alarm goes to the standard error output.
 
 Examples:
   radcomp run examples/first.nc --profile seed-mill --tools examples/tools.toml
-  radcomp run examples/turning.nc -p yasnac-lx -t examples/tools.toml -f json
+  radcomp run examples/turning.nc -p yasnac-lx -t examples/tools.toml -f json --tip
   generate | radcomp run - --profile seed-mill --radius 5 --format canon | less")]
 pub struct Run {
     #[command(flatten)]
@@ -54,6 +54,10 @@ pub struct Run {
     /// Digits after the decimal point: 6 in text, 12 in json; canon has 17 significant digits
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(0..=1000))]
     digits: Option<u16>,
+
+    /// Give the imaginary tool tip of a lathe too, at the end of each element; not in canon
+    #[arg(long)]
+    tip: bool,
 }
 
 /// What runs a program.
@@ -120,8 +124,11 @@ impl Run {
     fn outlet<'p, N: Coordinate + 'p>(&self, control: &'p Control, zero: N) -> Outlet<'p, N> {
         let digits = |default| self.digits.map_or(default, usize::from);
         let print: Box<dyn Print<N> + 'p> = match self.format {
-            Format::Text => Box::new(text::Text { digits: digits(6), count: 0 }),
-            Format::Json => Box::new(json::Json::new(control, self.engine, digits(12))),
+            Format::Text => {
+                let tip = self.tip.then_some(&control.profile.parameters);
+                Box::new(text::Text { digits: digits(6), tip, count: 0 })
+            }
+            Format::Json => Box::new(json::Json::new(control, self.engine, digits(12), self.tip)),
             Format::Canon => Box::new(canon::CanonCalls::new(zero, self.digits.map(usize::from))),
         };
         Outlet { out: terminal::output(), print, ledger: Ledger::default(), result: Ok(()) }
@@ -159,7 +166,7 @@ impl<N> Outlet<'_, N> {
             Ending::Refused(diagnostic) => Err(Failure::Diagnostic(diagnostic)),
             Ending::Alarm(raised) => {
                 if let Some(block) = self.ledger.block(raised.block) {
-                    alarm::report(&control.name, raised, &block.source);
+                    alarm::report(control, raised, &block.source);
                 }
                 Ok(Verdict::Red)
             }

@@ -73,7 +73,7 @@ impl Safety {
         if let Some(raised) = answer.alarm
             && let Some(block) = placed.get(raised.block)
         {
-            alarm::report(&control.name, raised, &block.source);
+            alarm::report(&control, raised, &block.source);
             return Ok(Verdict::Red);
         }
         Ok(if verdict.is_safe() { Verdict::Green } else { Verdict::Red })

@@ -60,5 +60,7 @@ pub fn round(block: &Block<Rational>) -> Block<f64> {
         compensation: block.compensation,
         radius: block.radius.as_ref().map(nearest_f64),
         corner: block.corner,
+        stops_look_ahead: block.stops_look_ahead,
+        not_in_mode: block.not_in_mode,
     }
 }

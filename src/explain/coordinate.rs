@@ -1,6 +1,7 @@
 //! Coordinates as text: exact numbers of the model, and doubles of a device.
 
 use radcomp_model::number::{Real, parse_decimal};
+use rug::Rational;
 
 /// A coordinate that can be written.
 pub trait Coordinate: Clone {
@@ -12,6 +13,9 @@ pub trait Coordinate: Clone {
 
     /// Twice the coordinate.
     fn doubled(&self) -> Self;
+
+    /// The coordinate moved by an exact length.
+    fn moved_by(&self, length: &Rational) -> Self;
 
     /// As a double, for drawing and for choosing how many digits to write.
     fn approximate(&self) -> f64;
@@ -51,6 +55,10 @@ impl Coordinate for Real {
         self + self
     }
 
+    fn moved_by(&self, length: &Rational) -> Self {
+        self + &Real::rational(length.clone())
+    }
+
     fn approximate(&self) -> f64 {
         self.to_f64()
     }
@@ -72,6 +80,10 @@ impl Coordinate for f64 {
 
     fn doubled(&self) -> Self {
         self + self
+    }
+
+    fn moved_by(&self, length: &Rational) -> Self {
+        self + length.to_f64()
     }
 
     fn approximate(&self) -> f64 {

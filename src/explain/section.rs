@@ -124,6 +124,9 @@ impl Section {
         match self.outer_corner {
             Some(OuterCorner::Arc) => codes.push("outer corners by an arc from here on".to_owned()),
             Some(OuterCorner::Intersection) => codes.push("outer corners by intersection from here on".to_owned()),
+            Some(OuterCorner::LimitAngle) => {
+                codes.push("outer corners by intersection down to the limit angle from here on".to_owned());
+            }
             None => {}
         }
         codes

@@ -185,6 +185,8 @@ impl<W: Write> Sink for Teller<W> {
             | DecisionKind::ChordFits
             | DecisionKind::EndOnArc
             | DecisionKind::ToolFitsArc
+            | DecisionKind::EntryLength
+            | DecisionKind::EntryArc
             | DecisionKind::LineForward
             | DecisionKind::ArcForward => {
                 if let Some(section) = self.section(decision.block) {

@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use super::codes::{self, Code, Group};
+use radcomp_spec::AlarmKind;
+
+use super::codes::{self, Code, Group, Meaning};
 use super::diagnostic::{Kind, LineFault};
 use super::word::Word;
 
@@ -31,30 +33,28 @@ const REFUSED_LETTERS: &[(char, Kind, &str)] = &[
     ('C', Kind::UnsupportedWord, "rotary axes are not supported"),
     ('E', Kind::UnknownLetter, "E is no address"),
     ('H', Kind::UnsupportedWord, "tool length offsets are not supported"),
-    ('L', Kind::UnknownLetter, "L is no address"),
-    ('Q', Kind::UnknownLetter, "Q is no address"),
     ('V', Kind::UnsupportedWord, "incremental axis words are not supported: G91 with Y says the same"),
     ('W', Kind::UnsupportedWord, "incremental axis words are not supported: G91 with Z says the same"),
 ];
+
+/// Letters that canned cycles alone have.
+const CYCLE_LETTERS: [char; 2] = ['L', 'Q'];
 
 /// Codes that are refused, and what they are: from, to.
 const REFUSED_CODES: &[(char, u32, u32, &str)] = &[
     ('G', 5, 6, "other curves than arcs"),
     ('G', 10, 11, "offsets set by the program"),
-    ('G', 27, 30, "reference points"),
+    ('G', 27, 27, "reference points"),
     ('G', 31, 31, "measuring moves"),
     ('G', 32, 34, "threads"),
     ('G', 38, 39, "corner vectors given by the program"),
     ('G', 45, 48, "offsets along an axis"),
     ('G', 51, 51, "scaling"),
-    ('G', 52, 53, "other coordinate systems"),
+    ('G', 52, 52, "other coordinate systems"),
     ('G', 55, 59, "other work offsets than the first"),
     ('G', 60, 64, "how the tool comes to a stop, or does not, at the end of a move"),
     ('G', 65, 67, "macros"),
     ('G', 68, 69, "rotation"),
-    ('G', 70, 79, "canned cycles"),
-    ('G', 81, 89, "canned cycles"),
-    ('G', 92, 92, "shifted coordinates, threads"),
     ('M', 98, 99, "subprograms"),
 ];
 
@@ -72,7 +72,21 @@ impl<'a> Command<'a> {
                 _ => command.add_word(word)?,
             }
         }
+        command.check_cycle_letters()?;
         Ok(command)
+    }
+
+    /// Words that only a cycle has stand beside its code.
+    fn check_cycle_letters(&self) -> Result<(), LineFault> {
+        let of_cycle = Meaning::NotInMode(AlarmKind::CannedCycleInMode);
+        let cycle = self.codes().any(|given| given.code.meaning == of_cycle);
+        match self.words.iter().find(|word| CYCLE_LETTERS.contains(&word.letter)) {
+            Some(word) if !cycle => {
+                let message = format!("{} is no address", word.letter);
+                Err(LineFault::new(Kind::UnknownLetter, word.span.clone(), message))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn add_word(&mut self, word: Word<'a>) -> Result<(), LineFault> {
@@ -136,10 +150,18 @@ fn unsupported(word: &Word<'_>) -> LineFault {
     let about = |(letter, from, to, _): &&(char, u32, u32, &str)| {
         *letter == word.letter && word.whole().is_some_and(|number| (*from..=*to).contains(&number))
     };
-    let message = match REFUSED_CODES.iter().find(about) {
-        Some((.., what)) => format!("{name} ({what}) is not supported"),
-        None => format!("{name} is not a code that radcomp knows"),
-    };
-    LineFault::new(Kind::UnsupportedCode, word.span.clone(), message)
+    match REFUSED_CODES.iter().find(about) {
+        Some((.., what)) => not_supported(&name, what, word.span.clone()),
+        None => refused(format!("{name} is not a code that radcomp knows"), word.span.clone()),
+    }
+}
+
+/// The refusal of a code whose meaning is known.
+pub(super) fn not_supported(name: &str, what: &str, span: Range<usize>) -> LineFault {
+    refused(format!("{name} ({what}) is not supported"), span)
+}
+
+fn refused(message: String, span: Range<usize>) -> LineFault {
+    LineFault::new(Kind::UnsupportedCode, span, message)
         .helping("no code is passed over, as it could move the tool; take it out if it does not")
 }

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use radcomp_spec::parameters::Plane;
-use radcomp_spec::{Direction, OuterCorner};
+use radcomp_spec::parameters::{CornerCodes, Plane};
+use radcomp_spec::{AlarmKind, Direction, OuterCorner};
 
 /// A code that is accepted.
 #[derive(Debug)]
@@ -17,10 +17,6 @@ pub(super) struct Code {
     /// What the reader does with it.
     pub(super) meaning: Meaning,
     /// What it says; of a code without a meaning here, why the geometry does not need it.
-    #[cfg_attr(
-        not(test),
-        expect(dead_code, reason = "the reason of each line of the table is for its readers and its test")
-    )]
     pub(super) reason: &'static str,
 }
 
@@ -60,12 +56,18 @@ pub(super) enum Meaning {
     Incremental(bool),
     /// G40 and the number of codes after it: what it means stands in the profile's activation table.
     Compensation(usize),
-    /// M96 or M97.
-    Corner(OuterCorner),
+    /// M96, M97, G450 or G451: which codes they are, and the outer corner.
+    Corner(CornerCodes, OuterCorner),
     /// G04.
     Dwell,
-    /// G50: accepted with S and without axis words only.
+    /// G50: with S and without axis words it limits the spindle speed; a lathe sets coordinates with it.
     SpindleLimit,
+    /// A code that is refused outside offset mode, and in it unless the profile has this alarm for it ([TRC-MODE-08]).
+    NotInMode(AlarmKind),
+    /// M06 ([TRC-MODE-08]).
+    ToolChange,
+    /// M00 or M01 ([TRC-LOOK-08]).
+    Stop,
     /// M02 or M30.
     End,
     /// Nothing for the geometry.
@@ -91,7 +93,16 @@ const fn m(number: u32, group: Group, meaning: Meaning, reason: &'static str) ->
     Code { letter: 'M', number, group, meaning, reason }
 }
 
-/// Every code that is accepted.
+/// A cycle code: one of those that a profile may have an alarm for in mode.
+const fn cycle(number: u32) -> Code {
+    g(number, Group::CannedCycle, Meaning::NotInMode(AlarmKind::CannedCycleInMode), "canned cycles")
+}
+
+const fn not_in_mode(number: u32, alarm: AlarmKind, reason: &'static str) -> Code {
+    g(number, Group::NonModal, Meaning::NotInMode(alarm), reason)
+}
+
+/// Every code that is accepted, somewhere.
 #[rustfmt::skip]
 pub(super) const CODES: &[Code] = &[
     g( 0, Group::Motion,       Meaning::Motion(Motion::Rapid), "rapid traverse; moves are taken to be straight"),
@@ -104,6 +115,9 @@ pub(super) const CODES: &[Code] = &[
     g(19, Group::Plane,        Meaning::Plane(Plane::Yz),      "plane (Y, Z)"),
     g(20, Group::Units,        Meaning::Inches(true),          "inches"),
     g(21, Group::Units,        Meaning::Inches(false),         "millimetres"),
+    not_in_mode(28, AlarmKind::ReferenceReturnInMode,   "reference points"),
+    not_in_mode(29, AlarmKind::ReferenceReturnInMode,   "reference points"),
+    not_in_mode(30, AlarmKind::ReferenceReturnInMode,   "reference points"),
     g(40, Group::Compensation, Meaning::Compensation(0),       "as the profile declares"),
     g(41, Group::Compensation, Meaning::Compensation(1),       "as the profile declares"),
     g(42, Group::Compensation, Meaning::Compensation(2),       "as the profile declares"),
@@ -111,23 +125,29 @@ pub(super) const CODES: &[Code] = &[
     g(44, Group::Compensation, Meaning::Compensation(4),       "as the profile declares"),
     g(49, Group::ToolLength,   Meaning::Nothing,               "cancels a tool length offset; none can be in force"),
     g(50, Group::NonModal,     Meaning::SpindleLimit,          "with S alone it limits the spindle speed"),
+    not_in_mode(53, AlarmKind::MachineCoordinatesInMode, "machine coordinates"),
     g(54, Group::WorkOffset,   Meaning::Nothing,               "the first work offset, in whose coordinates everything is; no other is accepted"),
+    cycle(70), cycle(71), cycle(72), cycle(73), cycle(74), cycle(75), cycle(76), cycle(77), cycle(78), cycle(79),
     g(80, Group::CannedCycle,  Meaning::Nothing,               "cancels a canned cycle; none can be in force"),
+    cycle(81), cycle(82), cycle(83), cycle(84), cycle(85), cycle(86), cycle(87), cycle(88), cycle(89),
     g(90, Group::Distance,     Meaning::Incremental(false),    "absolute coordinates"),
     g(91, Group::Distance,     Meaning::Incremental(true),     "incremental coordinates"),
+    not_in_mode(92, AlarmKind::SetCoordinatesInMode, "shifted coordinates, threads"),
     g(94, Group::Feed,         Meaning::Nothing,               "feed for each minute: speed, not path"),
     g(95, Group::Feed,         Meaning::Nothing,               "feed for each turn: speed, not path"),
     g(96, Group::Speed,        Meaning::Nothing,               "constant surface speed: speed, not path"),
     g(97, Group::Speed,        Meaning::Nothing,               "constant spindle speed: speed, not path"),
     g(98, Group::FeedOrReturn, Meaning::Nothing,               "feed of a lathe, or return level of canned cycles, which are not accepted"),
     g(99, Group::FeedOrReturn, Meaning::Nothing,               "feed of a lathe, or return level of canned cycles, which are not accepted"),
-    m( 0, Group::Stop,         Meaning::Nothing,               "program stop: no movement"),
-    m( 1, Group::Stop,         Meaning::Nothing,               "optional stop: no movement"),
+    g(450, Group::Corner,      Meaning::Corner(CornerCodes::G450G451, OuterCorner::Arc),        "outer corners by an arc"),
+    g(451, Group::Corner,      Meaning::Corner(CornerCodes::G450G451, OuterCorner::LimitAngle), "outer corners by intersection down to a limit angle"),
+    m( 0, Group::Stop,         Meaning::Stop,                  "program stop: no movement"),
+    m( 1, Group::Stop,         Meaning::Stop,                  "optional stop: no movement"),
     m( 2, Group::Stop,         Meaning::End,                   "end of program"),
     m( 3, Group::Spindle,      Meaning::Nothing,               "spindle: no movement"),
     m( 4, Group::Spindle,      Meaning::Nothing,               "spindle: no movement"),
     m( 5, Group::Spindle,      Meaning::Nothing,               "spindle: no movement"),
-    m( 6, Group::ToolChange,   Meaning::Nothing,               "tool change: taken to come back to the same point"),
+    m( 6, Group::ToolChange,   Meaning::ToolChange,            "tool change: taken to come back to the same point"),
     m( 7, Group::Coolant,      Meaning::Nothing,               "coolant: no movement"),
     m( 8, Group::Coolant,      Meaning::Nothing,               "coolant: no movement"),
     m( 9, Group::Coolant,      Meaning::Nothing,               "coolant: no movement"),
@@ -138,8 +158,8 @@ pub(super) const CODES: &[Code] = &[
     m(43, Group::Gear,         Meaning::Nothing,               "spindle gear: no movement"),
     m(44, Group::Gear,         Meaning::Nothing,               "spindle gear: no movement"),
     m(45, Group::Gear,         Meaning::Nothing,               "spindle gear: no movement"),
-    m(96, Group::Corner,       Meaning::Corner(OuterCorner::Arc),          "outer corners by an arc"),
-    m(97, Group::Corner,       Meaning::Corner(OuterCorner::Intersection), "outer corners by intersection"),
+    m(96, Group::Corner,       Meaning::Corner(CornerCodes::M96M97, OuterCorner::Arc),          "outer corners by an arc"),
+    m(97, Group::Corner,       Meaning::Corner(CornerCodes::M96M97, OuterCorner::Intersection), "outer corners by intersection"),
 ];
 
 impl fmt::Display for Code {

@@ -115,18 +115,20 @@ kinds! {
     CentreOffPlane = Program, "centre word of another plane";
     /// A dummy block where there can be none.
     DummyRefused = Program, "no dummy block possible here";
-    /// A change of plane.
-    PlaneChange = Toolkit, "change of plane";
+    /// A movement in another plane than the movements before.
+    PlaneChange = Toolkit, "movement in another plane";
+    /// A code in offset mode whose rule the profile's sources do not tell.
+    NotInMode = Profile, "code that the profile does not tell in offset mode";
     /// Compensation before an offset was selected.
     NoOffset = Program, "compensation without an offset";
     /// An offset number that the table does not have.
     UnknownOffset = Program, "offset not in the tool table";
-    /// Offset number 0 in offset mode.
-    OffsetZero = Toolkit, "offset 0 in offset mode";
+    /// Offset number 0 while compensation is in force, where the profile's sources do not tell what it does.
+    OffsetZero = Profile, "offset 0 while compensation is in force";
     /// A tool table that is not one.
     WrongTable = Program, "tool table not understood";
-    /// A tool that radcomp does not support.
-    UnsupportedTool = Toolkit, "tool not supported";
+    /// A tip orientation that the profile says the control does not have.
+    AbsentOrientation = Program, "tip orientation that the control does not have";
     /// A profile that is not one.
     WrongProfile = Profile, "profile not understood";
 }

@@ -28,14 +28,14 @@ mod tools;
 mod word;
 
 use radcomp_spec::Block;
-use radcomp_spec::parameters::{Measure, Plane};
+use radcomp_spec::parameters::{Measure, Plane, Tip};
 use radcomp_spec::profile::Profile;
 use rug::Rational;
 
 pub use diagnostic::{Diagnostic, Fault, Kind};
 pub use print::{Listing, PrintError, print, print_blocks};
 pub use reader::{MOST_LINE_BYTES, Reader};
-pub use tools::Tools;
+pub use tools::{Tool, Tools};
 pub use word::MOST_DIGITS;
 
 /// A program, read.
@@ -51,6 +51,15 @@ pub struct Program {
     pub blocks: Vec<ReadBlock>,
 }
 
+/// The nose of a turning tool.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nose {
+    /// Its radius, in millimetres; not negative.
+    pub radius: Rational,
+    /// Where the imaginary tip stands, seen from its centre.
+    pub tip: Tip,
+}
+
 /// A block of a program, with its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadBlock {
@@ -62,6 +71,11 @@ pub struct ReadBlock {
     pub sequence: Option<String>,
     /// The coordinate on the plane's normal axis at the end of the block, absolute, in millimetres.
     pub normal: Rational,
+    /// The nose of the tool at the vectors that belong to the block; none for a tool without an orientation
+    /// ([TRC-TIP-01], [TRC-TIP-03]).
+    pub nose: Option<Nose>,
+    /// The tip orientation of the tool that the block selects, if it selects one that has an orientation.
+    pub orientation: Option<u8>,
 }
 
 /// Reads a whole program.

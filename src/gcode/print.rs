@@ -5,11 +5,11 @@ mod line;
 
 use radcomp_spec::parameters::{Activation, CornerCodes, Measure, Plane};
 use radcomp_spec::profile::Profile;
-use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
+use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
 use rug::Rational;
 
 use super::axes::{AXES, CENTRES, axes_of, name_of};
-use super::{Program, Tools, offsets, read};
+use super::{Program, Tool, Tools, offsets, read};
 use line::Words;
 
 pub use error::PrintError;
@@ -35,6 +35,7 @@ pub fn print(program: &Program, profile: &Profile) -> Result<Listing, PrintError
         block: &read.block,
         sequence: read.sequence.clone(),
         normal: Some(&read.normal),
+        orientation: read.orientation,
     });
     listing(lines.collect(), program.plane, profile)
 }
@@ -47,12 +48,14 @@ pub fn print(program: &Program, profile: &Profile) -> Result<Listing, PrintError
 /// # Errors
 ///
 /// When the blocks have no G-code under this profile: a number with more decimals than the reader takes, a code that the
-/// profile does not have, an arc at rapid traverse, a dummy block outside offset mode.
+/// profile does not have or does not tell, an arc at rapid traverse, a dummy block outside offset mode, a code that is
+/// not for offset mode outside it or with a movement.
 pub fn print_blocks(blocks: &[Block<Rational>], profile: &Profile) -> Result<Listing, PrintError> {
     let lines = blocks.iter().enumerate().map(|(index, block)| Source {
         block,
         sequence: Some((index + 1).to_string()),
         normal: None,
+        orientation: None,
     });
     listing(lines.collect(), profile.machine.plane, profile)
 }
@@ -62,10 +65,11 @@ struct Source<'b> {
     block: &'b Block<Rational>,
     sequence: Option<String>,
     normal: Option<&'b Rational>,
+    orientation: Option<u8>,
 }
 
 fn listing(lines: Vec<Source<'_>>, plane: Plane, profile: &Profile) -> Result<Listing, PrintError> {
-    let mut printer = Printer { profile, plane, radii: Vec::new(), normal: Rational::new(), expected: Vec::new() };
+    let mut printer = Printer { profile, plane, tools: Vec::new(), normal: Rational::new(), expected: Vec::new() };
     let mut program = format!("%\n(profile {}, plane {})\n", profile.name, brief(plane));
     for (index, source) in lines.iter().enumerate() {
         let mut line = Words::of_block(index);
@@ -74,7 +78,7 @@ fn listing(lines: Vec<Source<'_>>, plane: Plane, profile: &Profile) -> Result<Li
         program.push('\n');
     }
     program.push_str("%\n");
-    let tools = printer.tools();
+    let tools = printer.table();
     printer.check(&program, &tools)?;
     // `offset` has made sure that the radii have decimals.
     let tool_table = tools.to_toml().unwrap_or_default();
@@ -89,8 +93,8 @@ fn brief(plane: Plane) -> &'static str {
 struct Printer<'p> {
     profile: &'p Profile,
     plane: Plane,
-    /// The radius of each offset number, from 1.
-    radii: Vec<Rational>,
+    /// The tool of each offset number, from 1.
+    tools: Vec<Tool>,
     /// The coordinate on the normal axis.
     normal: Rational,
     /// What the program has to read back as.
@@ -107,7 +111,7 @@ impl Printer<'_> {
             line.code(brief(self.plane));
         }
         let mut expected = block.clone();
-        let unset = matches!(block.compensation, Some(Compensation::On(_))) && self.radii.is_empty();
+        let unset = matches!(block.compensation, Some(Compensation::On(_))) && self.tools.is_empty();
         if unset && block.radius.is_none() {
             expected.radius = Some(Rational::new());
         }
@@ -118,9 +122,16 @@ impl Printer<'_> {
             line.code(self.corner_code(corner, line.block())?);
         }
         if let Some(radius) = &expected.radius {
-            self.offset(radius, line)?;
+            self.offset(radius, source.orientation, line)?;
         }
-        self.movement(block, source.normal, line)?;
+        match block.not_in_mode {
+            // The movement of such a block is not looked at.
+            Some(kind) => line.code(self.code_not_in_mode(kind, line.block())?),
+            None => self.movement(block, source.normal, line)?,
+        }
+        if block.stops_look_ahead {
+            line.code("M01");
+        }
         if line.text().is_empty() {
             line.code("G04 P0");
         }
@@ -144,20 +155,34 @@ impl Printer<'_> {
         match (self.profile.machine.corner_codes, wanted) {
             (CornerCodes::M96M97, OuterCorner::Arc) => Ok("M96"),
             (CornerCodes::M96M97, OuterCorner::Intersection) => Ok("M97"),
-            (CornerCodes::None, _) => Err(PrintError::NoCode { block, wanted: "a choice of the outer corner" }),
+            (CornerCodes::G450G451, OuterCorner::Arc) => Ok("G450"),
+            (CornerCodes::G450G451, OuterCorner::LimitAngle) => Ok("G451"),
+            _ => Err(PrintError::NoCode { block, wanted: "this choice of the outer corner" }),
         }
     }
 
-    /// The word that puts a radius in force.
-    fn offset(&mut self, radius: &Rational, line: &mut Words) -> Result<(), PrintError> {
+    /// The code that is not for offset mode, with the fewest words that a control would want with it.
+    fn code_not_in_mode(&self, kind: AlarmKind, block: usize) -> Result<&'static str, PrintError> {
+        match kind {
+            AlarmKind::PlaneChangeInMode if self.plane == Plane::Xy => Ok("G18"),
+            AlarmKind::PlaneChangeInMode => Ok("G17"),
+            AlarmKind::ReferenceReturnInMode => Ok("G28"),
+            AlarmKind::MachineCoordinatesInMode => Ok("G53 G00 X0"),
+            AlarmKind::SetCoordinatesInMode => Ok("G92 X0"),
+            AlarmKind::ToolChangeInMode => Ok("M06"),
+            AlarmKind::CannedCycleInMode => Ok("G81 X0 Z0 R0"),
+            _ => Err(PrintError::NoCode { block, wanted: "an alarm of another kind than that of a code" }),
+        }
+    }
+
+    /// The word that selects a tool.
+    fn offset(&mut self, radius: &Rational, orientation: Option<u8>, line: &mut Words) -> Result<(), PrintError> {
         // The table has to be able to hold it.
         line.decimal(radius)?;
-        if radius.is_negative() {
-            return Err(PrintError::Number { block: line.block(), value: radius.clone() });
-        }
-        let index = self.radii.iter().position(|known| known == radius).unwrap_or_else(|| {
-            self.radii.push(radius.clone());
-            self.radii.len() - 1
+        let tool = Tool { orientation, ..Tool::of_radius(radius.clone()) };
+        let index = self.tools.iter().position(|known| *known == tool).unwrap_or_else(|| {
+            self.tools.push(tool);
+            self.tools.len() - 1
         });
         let number = index + 1;
         if offsets::t_selects_offset(self.profile) {
@@ -235,9 +260,9 @@ impl Printer<'_> {
         line.number(letter, &if doubled { value.clone() * 2 } else { value.clone() })
     }
 
-    fn tools(&self) -> Tools {
-        let numbered = (1..).zip(&self.radii);
-        numbered.fold(Tools::empty(), |tools, (number, radius)| tools.with_radius(number, radius.clone()))
+    fn table(&self) -> Tools {
+        let numbered = (1..).zip(&self.tools);
+        numbered.fold(Tools::empty(), |table, (number, tool)| table.with_tool(number, tool.clone()))
     }
 
     /// Reads the program back and compares.

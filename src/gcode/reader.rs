@@ -55,7 +55,7 @@ impl<'p, R: BufRead> Reader<'p, R> {
         Reader { skip_deleted: skip, ..self }
     }
 
-    /// The plane in force after the blocks read so far.
+    /// The plane of the movements of the blocks read so far; before the first of them the plane in force.
     pub fn plane(&self) -> Plane {
         self.state.plane()
     }
@@ -141,7 +141,8 @@ impl<'p, R: BufRead> Reader<'p, R> {
         let sequence = sequence.transpose()?.map(str::to_owned);
         let block = self.state.execute(&command)?;
         self.ended = command.codes().any(|given| given.code.meaning == Meaning::End);
-        Ok(ReadBlock { block, line: self.line, sequence, normal: self.state.normal().clone() })
+        let (normal, nose) = (self.state.normal().clone(), self.state.nose().cloned());
+        Ok(ReadBlock { block, line: self.line, sequence, normal, nose, orientation: self.state.orientation() })
     }
 
     /// A program number names the program; it is no block.

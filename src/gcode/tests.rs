@@ -8,14 +8,16 @@ use radcomp_model::number::format_decimal;
 use radcomp_spec::{Centre, Compensation, Direction, Movement, OuterCorner, Side};
 use rug::Rational;
 
-use super::{ReadBlock, Tools};
+use super::{ReadBlock, Tool, Tools};
 
 /// The tool table of the tests.
 fn tools() -> Tools {
     let tool = |tools: Tools, number, numerator, denominator| {
         tools.with_radius(number, Rational::from((numerator, denominator)))
     };
-    tool(tool(tool(Tools::empty(), 1, 5, 1), 2, 4, 5), 12, 1, 2)
+    let tools = tool(tool(tool(Tools::empty(), 1, 5, 1), 2, 4, 5), 12, 1, 2);
+    let nose = Tool { geometry: Rational::from(1), wear: Rational::from((-1, 4)), orientation: Some(3) };
+    tool(tools.with_tool(3, nose), 4, -1, 1)
 }
 
 /// A block in one line: movement, then the codes, then the normal coordinate unless it is 0.
@@ -51,7 +53,17 @@ fn describe(read: &ReadBlock) -> String {
         None => "",
         Some(OuterCorner::Arc) => ", corners by arc",
         Some(OuterCorner::Intersection) => ", corners by intersection",
+        Some(OuterCorner::LimitAngle) => ", corners by limit angle",
     };
+    if read.block.stops_look_ahead {
+        text += ", stops reading ahead";
+    }
+    if let Some(kind) = read.block.not_in_mode {
+        text += &format!(", {}", kind.id());
+    }
+    if let Some(nose) = &read.nose {
+        text += &format!(", tip {} of radius {}", nose.tip.id(), number(&nose.radius));
+    }
     if !read.normal.is_zero() {
         text += &format!(", normal {}", number(&read.normal));
     }

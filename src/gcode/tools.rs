@@ -1,4 +1,4 @@
-//! The tool table: the radius that each offset number stands for ([TRC-MODE-03]).
+//! The tool table: the tool that each offset number stands for ([TRC-MODE-03], [TRC-TIP-01], [TRC-TIP-02]).
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -12,14 +12,37 @@ use toml::de::{DeTable, DeValue};
 use super::diagnostic::{Diagnostic, Kind, LineFault};
 use super::word::MOST_DIGITS;
 
-/// The radii of the offset numbers.
+/// The tools of the offset numbers.
 ///
-/// In a file each tool is a table `[[tool]]` with a `number` from 1, a `radius` or a `diameter` in millimetres as a
-/// decimal in quotes, so that it stays exact, and, if wanted, an `orientation` of the imaginary tip: 0 or 9, the centre
-/// of the nose. Other orientations are not supported yet.
+/// In a file each tool is a table `[[tool]]` with a `number` from 1, a `radius` or a `diameter` of its geometry in
+/// millimetres as a decimal in quotes, so that it stays exact, and, if wanted, a `wear` that is added to the radius and
+/// an `orientation` of the imaginary tip from 0 to 9. A size may be negative ([TRC-SIDE-07]).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tools {
-    radii: BTreeMap<u32, Rational>,
+    tools: BTreeMap<u32, Tool>,
+}
+
+/// A tool, in millimetres.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Tool {
+    /// The radius of its geometry.
+    pub geometry: Rational,
+    /// What is added to that ([TRC-TIP-02]).
+    pub wear: Rational,
+    /// The orientation of its imaginary tip, 0 to 9, if it is given ([TRC-TIP-01]).
+    pub orientation: Option<u8>,
+}
+
+impl Tool {
+    /// A tool of this radius, without wear or orientation.
+    pub fn of_radius(radius: Rational) -> Self {
+        Tool { geometry: radius, ..Tool::default() }
+    }
+
+    /// The radius that it puts in force: geometry and wear.
+    pub fn radius(&self) -> Rational {
+        Rational::from(&self.geometry + &self.wear)
+    }
 }
 
 /// The greatest offset number.
@@ -44,25 +67,36 @@ impl Tools {
         parse(text).map_err(|fault| fault.in_text(file, text))
     }
 
-    /// The same table with another tool, or another radius for a tool; in millimetres.
-    pub fn with_radius(mut self, number: u32, radius: Rational) -> Self {
-        self.radii.insert(number, radius);
+    /// The same table with another tool in the place of this number.
+    pub fn with_tool(mut self, number: u32, tool: Tool) -> Self {
+        self.tools.insert(number, tool);
         self
     }
 
-    /// The radius of an offset number, in millimetres; none if the table does not have it.
-    pub fn radius_of(&self, number: u32) -> Option<&Rational> {
-        self.radii.get(&number)
+    /// The same table with a tool of a radius alone, in millimetres, in the place of this number.
+    pub fn with_radius(self, number: u32, radius: Rational) -> Self {
+        self.with_tool(number, Tool::of_radius(radius))
     }
 
-    /// The table as a file's text; none if a radius has no finite decimal.
+    /// The tool of an offset number; none if the table does not have it.
+    pub fn tool(&self, number: u32) -> Option<&Tool> {
+        self.tools.get(&number)
+    }
+
+    /// The table as a file's text; none if a size has no finite decimal.
     pub fn to_toml(&self) -> Option<String> {
         let mut text = String::new();
-        for (number, radius) in &self.radii {
+        for (number, tool) in &self.tools {
             let separator = if text.is_empty() { "" } else { "\n" };
-            let radius = format_decimal(radius)?;
+            let radius = format_decimal(&tool.geometry)?;
             // Writing to a string cannot fail.
             let _ = writeln!(text, "{separator}[[tool]]\nnumber = {number}\nradius = \"{radius}\"");
+            if !tool.wear.is_zero() {
+                let _ = writeln!(text, "wear = \"{}\"", format_decimal(&tool.wear)?);
+            }
+            if let Some(orientation) = tool.orientation {
+                let _ = writeln!(text, "orientation = {orientation}");
+            }
         }
         Some(text)
     }
@@ -70,8 +104,8 @@ impl Tools {
     /// Which numbers there are, for people.
     pub(super) fn listed(&self) -> String {
         const MOST: usize = 8;
-        let mut numbers: Vec<String> = self.radii.keys().take(MOST).map(u32::to_string).collect();
-        if self.radii.len() > MOST {
+        let mut numbers: Vec<String> = self.tools.keys().take(MOST).map(u32::to_string).collect();
+        if self.tools.len() > MOST {
             numbers.push("…".to_owned());
         }
         match numbers.is_empty() {
@@ -91,8 +125,8 @@ fn parse(text: &str) -> Result<Tools, LineFault> {
     let not_tables = || wrong(list.span(), "tools are tables: `[[tool]]`, then `number` and `radius`");
     for tool in list.get_ref().as_array().ok_or_else(not_tables)? {
         let table = tool.get_ref().as_table().ok_or_else(not_tables)?;
-        let (number, radius) = parse_tool(table, tool.span())?;
-        if tools.radii.insert(number.into_inner(), radius).is_some() {
+        let (number, tool) = parse_tool(table, tool.span())?;
+        if tools.tools.insert(number.into_inner(), tool).is_some() {
             let number = &table["number"];
             return Err(wrong(number.span(), "this number stands in the table already"));
         }
@@ -100,40 +134,37 @@ fn parse(text: &str) -> Result<Tools, LineFault> {
     Ok(tools)
 }
 
-fn parse_tool(table: &DeTable<'_>, place: Range<usize>) -> Result<(Spanned<u32>, Rational), LineFault> {
-    check_keys(table, &["number", "radius", "diameter", "orientation"])?;
+fn parse_tool(table: &DeTable<'_>, place: Range<usize>) -> Result<(Spanned<u32>, Tool), LineFault> {
+    check_keys(table, &["number", "radius", "diameter", "wear", "orientation"])?;
     let given = table.get("number").ok_or_else(|| wrong(place.clone(), "`number` is missing"))?;
     let number = whole(given.get_ref()).filter(|number| (1..=MOST_NUMBER).contains(number));
     let number = number.ok_or_else(|| wrong(given.span(), format!("a number from 1 to {MOST_NUMBER}")))?;
-    if let Some(orientation) = table.get("orientation") {
-        match whole(orientation.get_ref()) {
-            Some(0 | 9) => {}
-            Some(1..=8) => {
-                let message = "orientations other than 0 and 9, the centre of the nose, are not supported yet";
-                return Err(LineFault::new(Kind::UnsupportedTool, orientation.span(), message));
-            }
-            _ => return Err(wrong(orientation.span(), "an orientation is a whole number from 0 to 9")),
-        }
-    }
-    let radius = match (table.get("radius"), table.get("diameter")) {
+    let orientation = table.get("orientation").map(orientation).transpose()?;
+    let geometry = match (table.get("radius"), table.get("diameter")) {
         (Some(radius), None) => size(radius)?,
         (None, Some(diameter)) => size(diameter)? / 2,
         (Some(_), Some(diameter)) => return Err(wrong(diameter.span(), "the radius of this tool is given already")),
         (None, None) => return Err(wrong(place, "`radius` or `diameter` is missing")),
     };
-    Ok((Spanned::new(given.span(), number), radius))
+    let wear = table.get("wear").map(size).transpose()?.unwrap_or_default();
+    Ok((Spanned::new(given.span(), number), Tool { geometry, wear, orientation }))
 }
 
-/// A radius or a diameter.
+fn orientation(given: &Spanned<DeValue<'_>>) -> Result<u8, LineFault> {
+    let number = whole(given.get_ref()).and_then(|number| u8::try_from(number).ok()).filter(|number| *number <= 9);
+    number.ok_or_else(|| wrong(given.span(), "an orientation is a whole number from 0 to 9"))
+}
+
+/// A radius, a diameter or a wear.
 fn size(given: &Spanned<DeValue<'_>>) -> Result<Rational, LineFault> {
-    let message = || "a decimal in quotes, 0 or greater, such as \"0.8\"";
+    let message = || "a decimal in quotes, such as \"0.8\"";
     let text = given.get_ref().as_str().ok_or_else(|| wrong(given.span(), message()))?;
     let (digits, decimals) = text.split_once('.').unwrap_or((text, ""));
-    if digits.len() > MOST_DIGITS || decimals.len() > MOST_DIGITS {
+    if digits.trim_start_matches(['+', '-']).len() > MOST_DIGITS || decimals.len() > MOST_DIGITS {
         let message = format!("a size has at most {MOST_DIGITS} digits before its point and {MOST_DIGITS} after it");
         return Err(wrong(given.span(), message));
     }
-    parse_decimal(text).filter(|size| !size.is_negative()).ok_or_else(|| wrong(given.span(), message()))
+    parse_decimal(text).ok_or_else(|| wrong(given.span(), message()))
 }
 
 fn whole(value: &DeValue<'_>) -> Option<u32> {

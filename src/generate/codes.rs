@@ -12,19 +12,30 @@ pub(super) fn with_codes(contour: Contour, dice: &mut Dice, reach: Reach) -> Vec
     let side = dice.pick(&[Side::Left, Side::Right]);
     let radius = tool_radius(&contour.moves, dice);
     let mut blocks = Vec::with_capacity(contour.moves.len() + 8);
-    let approach = [contour.start[0] - dice.between(-8, 8) * 500, contour.start[1] - dice.between(-8, 8) * 500];
+    let approach = match &contour.entry {
+        Some((from, _)) => *from,
+        None => approach(contour.start, radius, dice, reach),
+    };
     blocks.push(Block { rapid: dice.once_in(2), ..line(approach) });
 
-    let mut start_up = line(contour.start);
+    let negative = dice.once_in(if reach.negative_radii() { 4 } else { 100 });
+    let codes = Block {
+        compensation: Some(Compensation::On(side)),
+        radius: Some(thousandths(if negative { -radius } else { radius })),
+        ..Block::empty()
+    };
+    let mut start_up = match &contour.entry {
+        Some((_, arc)) => block(arc),
+        None => Block { rapid: dice.once_in(6), ..line(contour.start) },
+    };
     if dice.once_in(3) {
-        blocks.push(Block {
-            compensation: Some(Compensation::On(side)),
-            radius: Some(thousandths(radius)),
-            ..Block::empty()
-        });
+        if dice.once_in(6) {
+            // Of two codes the last one counts.
+            blocks.push(Block { compensation: Some(Compensation::On(side.other())), ..codes.clone() });
+        }
+        blocks.push(codes);
     } else {
-        start_up.compensation = Some(Compensation::On(side));
-        start_up.radius = Some(thousandths(radius));
+        start_up = Block { movement: start_up.movement, rapid: start_up.rapid, ..codes };
     }
     if !dice.once_in(30) {
         blocks.push(start_up);
@@ -32,19 +43,30 @@ pub(super) fn with_codes(contour: Contour, dice: &mut Dice, reach: Reach) -> Vec
     for each in &contour.moves {
         blocks.push(block(each));
     }
-    change_codes(&mut blocks, side, dice, reach);
+    change_codes(&mut blocks, side, radius, dice, reach);
     if !dice.once_in(12) {
         let last = contour.moves.last().map_or(contour.start, |last| last.end);
         let away = [last[0] + dice.between(-6, 6) * 700, last[1] + dice.between(-6, 6) * 700];
         let off = Some(Compensation::Off);
         if dice.once_in(4) {
             blocks.push(Block { compensation: off, ..Block::empty() });
+            if dice.once_in(6) {
+                blocks.push(Block { compensation: Some(Compensation::On(side)), ..Block::empty() });
+            }
             blocks.push(line(away));
         } else {
             blocks.push(Block { compensation: off, rapid: dice.once_in(2), ..line(away) });
         }
     }
     blocks
+}
+
+/// Where the tool comes from: somewhere near, or exactly one radius away where that decides something.
+fn approach(start: Whole, radius: i64, dice: &mut Dice, reach: Reach) -> Whole {
+    if reach.asks_entry_length() && dice.once_in(8) {
+        return [start[0] - radius - dice.between(-1, 1), start[1]];
+    }
+    [start[0] - dice.between(-8, 8) * 500, start[1] - dice.between(-8, 8) * 500]
 }
 
 /// A radius that fits exactly as often as not: the size of a move, half of it, or any.
@@ -60,25 +82,37 @@ fn tool_radius(moves: &[Move], dice: &mut Dice) -> i64 {
     }
 }
 
-/// Changes of side, the same code again, M96 and M97, and cancels inside the contour.
-fn change_codes(blocks: &mut [Block<Rational>], side: Side, dice: &mut Dice, reach: Reach) {
+/// Changes of side, the same code again, cancels inside the contour and new starts after them, corner codes, offsets, and
+/// codes that are not for offset mode.
+fn change_codes(blocks: &mut Vec<Block<Rational>>, side: Side, radius: i64, dice: &mut Dice, reach: Reach) {
     let first = blocks.len().min(3);
-    let mut current = side;
+    let alarms = reach.not_in_mode();
+    let (mut current, mut on) = (side, true);
     for block in &mut blocks[first..] {
-        if dice.once_in(9) {
+        if dice.once_in(reach.side_change_one_in()) {
             current = current.other();
-            block.compensation = Some(Compensation::On(current));
-        } else if dice.once_in(25) {
-            block.compensation = Some(Compensation::On(current));
+            (block.compensation, on) = (Some(Compensation::On(current)), true);
+        } else if dice.once_in(reach.same_code_one_in()) || (!on && dice.once_in(2)) {
+            (block.compensation, on) = (Some(Compensation::On(current)), true);
         } else if dice.once_in(40) {
-            block.compensation = Some(Compensation::Off);
+            (block.compensation, on) = (Some(Compensation::Off), false);
         }
-        if reach.corner_codes && dice.once_in(4) {
-            use radcomp_spec::OuterCorner::{Arc, Intersection};
-            block.corner = Some(dice.pick(&[Arc, Intersection]));
+        if !reach.corners().is_empty() && dice.once_in(4) {
+            block.corner = Some(dice.pick(reach.corners()));
         }
         if dice.once_in(80) {
             block.radius = Some(thousandths(dice.between(1, 900)));
+        } else if reach.negative_radii() && dice.once_in(25) {
+            block.radius = Some(thousandths(if dice.once_in(2) { radius } else { -radius }));
+        }
+        block.stops_look_ahead = reach.stops() && dice.once_in(25);
+    }
+    if !alarms.is_empty() && dice.once_in(20) {
+        // In mode, as far as the blocks before tell.
+        let place = dice.between(first as i64, blocks.len() as i64) as usize;
+        let last = blocks[..place].iter().filter_map(|block| block.compensation).next_back();
+        if matches!(last, Some(Compensation::On(_))) {
+            blocks.insert(place, Block { not_in_mode: Some(dice.pick(&alarms)), ..Block::empty() });
         }
     }
 }
@@ -93,7 +127,7 @@ fn point(whole: Whole) -> [Rational; 2] {
 
 fn block(each: &Move) -> Block<Rational> {
     let end = point(each.end);
-    Block::moving(match each.shape {
+    let movement = match each.shape {
         MoveShape::Line => Movement::Line { end },
         MoveShape::Centre { from_start, direction } => {
             Movement::Arc { end, centre: Centre::FromStart(point(from_start)), direction }
@@ -101,5 +135,6 @@ fn block(each: &Move) -> Block<Rational> {
         MoveShape::Radius { radius, direction } => {
             Movement::Arc { end, centre: Centre::Radius(thousandths(radius)), direction }
         }
-    })
+    };
+    Block { rapid: each.rapid, ..Block::moving(movement) }
 }

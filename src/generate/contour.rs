@@ -2,6 +2,7 @@
 
 use radcomp_spec::Direction;
 
+use super::Reach;
 use super::dice::Dice;
 
 /// A point or vector in thousandths of a millimetre.
@@ -14,6 +15,8 @@ pub(super) struct Move {
     pub(super) shape: MoveShape,
     /// Length of a line or radius of an arc, rounded; what a tool may exactly fit.
     pub(super) size: i64,
+    /// At rapid traverse.
+    pub(super) rapid: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -37,9 +40,11 @@ const SCALES: [i64; 7] = [20, 50, 100, 200, 500, 1000, 2000];
 pub(super) struct Contour {
     pub(super) start: Whole,
     pub(super) moves: Vec<Move>,
+    /// The arc that leads to its start, and where that begins, if it is one.
+    pub(super) entry: Option<(Whole, Move)>,
 }
 
-pub(super) fn contour(dice: &mut Dice) -> Contour {
+pub(super) fn contour(dice: &mut Dice, reach: Reach) -> Contour {
     let scale = dice.pick(&SCALES);
     let unit = dice.pick(&[1, scale, scale]);
     let start = [dice.between(-20, 20) * unit, dice.between(-20, 20) * unit];
@@ -47,17 +52,22 @@ pub(super) fn contour(dice: &mut Dice) -> Contour {
     let mut heading: Whole = [1, 0];
     let count = dice.between(3, 8);
     let mut moves = Vec::with_capacity(count as usize);
+    let entry = (reach.starts_on_arcs() && dice.once_in(3)).then(|| entry(start, scale, dice));
+    if let Some((from, arc)) = &entry {
+        heading = heading_after(*from, arc);
+    }
     for _ in 0..count {
-        let next = match dice.below(10) {
+        let mut next = match dice.below(10) {
             0..=5 => line(at, heading, scale, dice),
             6 => radius_arc(at, scale, dice),
             _ => centre_arc(at, heading, scale, dice),
         };
+        next.rapid = matches!(next.shape, MoveShape::Line) && dice.once_in(8);
         heading = heading_after(at, &next);
         at = next.end;
         moves.push(next);
     }
-    Contour { start, moves }
+    Contour { start, moves, entry }
 }
 
 /// A direction in one of the eight symmetric positions.
@@ -67,13 +77,16 @@ fn symmetric(vector: Whole, dice: &mut Dice) -> Whole {
 }
 
 fn line(at: Whole, heading: Whole, scale: i64, dice: &mut Dice) -> Move {
-    let (vector, length) = match dice.below(9) {
+    let (vector, length) = match dice.below(11) {
         // On along the tangent, at right angles, back, and by 45°.
         0 => (heading, 0),
         1 => ([-heading[1], heading[0]], 0),
         2 => ([heading[1], -heading[0]], 0),
         3 => ([-heading[0], -heading[1]], 0),
         4 => ([heading[0] - heading[1], heading[0] + heading[1]], 0),
+        // A little aside, and all but back.
+        6 => (aside(heading, scale, dice), 0),
+        7 => (aside([-heading[0], -heading[1]], scale, dice), 0),
         5 => ([dice.between(-3000, 3000), dice.between(-3000, 3000)], 0),
         _ => {
             let (vector, length) = dice.pick(&DIRECTIONS);
@@ -83,7 +96,32 @@ fn line(at: Whole, heading: Whole, scale: i64, dice: &mut Dice) -> Move {
     };
     let vector = tame(vector, scale);
     let size = if length > 0 { length } else { whole_length(vector) };
-    Move { end: [at[0] + vector[0], at[1] + vector[1]], shape: MoveShape::Line, size }
+    Move { end: [at[0] + vector[0], at[1] + vector[1]], shape: MoveShape::Line, size, rapid: false }
+}
+
+/// A vector that turns from a heading by an angle whose tangent is one part in a few: about the limits of the corners that
+/// count as straight, and, turned from the heading back, of those that are too sharp.
+fn aside(heading: Whole, scale: i64, dice: &mut Dice) -> Whole {
+    let shorter = (whole_length(heading) / 40).max(1);
+    let [a, b] = [heading[0] / shorter, heading[1] / shorter];
+    let parts = dice.pick(&[5, 5, 6, 8, 12, 19, 20, 21, 40, 57, 58]);
+    let side = if dice.once_in(2) { 1 } else { -1 };
+    let vector = [a * parts - side * b, b * parts + side * a];
+    let times = (scale * 5 / whole_length(vector).max(1)).max(1);
+    [vector[0] * times, vector[1] * times]
+}
+
+/// An arc that ends at a point, and where it starts.
+fn entry(start: Whole, scale: i64, dice: &mut Dice) -> (Whole, Move) {
+    let direction = dice.pick(&[Direction::Clockwise, Direction::Counterclockwise]);
+    let times = (scale * dice.between(1, 4) / 25).max(1);
+    let [to_start, to_end] = [0, 0].map(|_| {
+        let ray = dice.pick(&ON_CIRCLE_65);
+        symmetric([ray[0] * times, ray[1] * times], dice)
+    });
+    let from = [start[0] - to_end[0] + to_start[0], start[1] - to_end[1] + to_start[1]];
+    let shape = MoveShape::Centre { from_start: [-to_start[0], -to_start[1]], direction };
+    (from, Move { end: start, shape, size: 65 * times, rapid: false })
 }
 
 /// Keeps headings from growing without end: a vector along the same direction of a reasonable length.
@@ -133,7 +171,7 @@ fn centre_arc(at: Whole, heading: Whole, scale: i64, dice: &mut Dice) -> Move {
     if dice.once_in(60) {
         from_start = [0, 0];
     }
-    Move { end, shape: MoveShape::Centre { from_start, direction }, size: 65 * times }
+    Move { end, shape: MoveShape::Centre { from_start, direction }, size: 65 * times, rapid: false }
 }
 
 fn radius_arc(at: Whole, scale: i64, dice: &mut Dice) -> Move {
@@ -152,7 +190,7 @@ fn radius_arc(at: Whole, scale: i64, dice: &mut Dice) -> Move {
     };
     let radius = if dice.once_in(3) { -radius } else { radius };
     let end = [at[0] + vector[0], at[1] + vector[1]];
-    Move { end, shape: MoveShape::Radius { radius, direction }, size: radius.abs() }
+    Move { end, shape: MoveShape::Radius { radius, direction }, size: radius.abs(), rapid: false }
 }
 
 /// A whole vector along the direction of travel at the end of a move; for R arcs any.

@@ -12,15 +12,17 @@ pub(super) fn decorate(blocks: &mut Vec<Block<Rational>>, dice: &mut Dice, reach
     let mut position = [Rational::new(), Rational::new()];
     for block in plain {
         if !blocks.is_empty() && dice.once_in(5) {
-            let allowed = i64::from(reach.non_moving_allowed);
             // Most runs are at the limit or one past it.
-            let run = dice.pick(&[1, allowed, allowed, allowed + 1, allowed + 2]);
-            let dummy_at = (reach.dummies && dice.once_in(2)).then(|| dice.between(0, run));
+            let run = match reach.non_moving_allowed().map(i64::from) {
+                Some(allowed) => dice.pick(&[1, allowed, allowed, allowed + 1, allowed + 2]),
+                None => dice.pick(&[1, 2, 4, 9, 12]),
+            };
+            let dummy_at = (reach.dummies() && dice.once_in(2)).then(|| dice.between(0, run));
             for index in 0..run {
                 if dummy_at == Some(index) {
                     blocks.push(dummy(&block, &position, dice));
                 }
-                blocks.push(still(&position, dice));
+                blocks.push(still(&position, dice, reach));
             }
         }
         if let Movement::Line { end } | Movement::Arc { end, .. } = &block.movement {
@@ -30,9 +32,10 @@ pub(super) fn decorate(blocks: &mut Vec<Block<Rational>>, dice: &mut Dice, reach
     }
 }
 
-/// A block without movement, or a move of no length.
-fn still(position: &[Rational; 2], dice: &mut Dice) -> Block<Rational> {
-    if dice.once_in(6) { Block::moving(Movement::Line { end: position.clone() }) } else { Block::empty() }
+/// A block without movement, or a move of no length, or a stop.
+fn still(position: &[Rational; 2], dice: &mut Dice, reach: Reach) -> Block<Rational> {
+    let block = if dice.once_in(6) { Block::moving(Movement::Line { end: position.clone() }) } else { Block::empty() };
+    Block { stops_look_ahead: reach.stops() && dice.once_in(12), ..block }
 }
 
 /// The dummy that stands for the next block; now and then a wrong one.

@@ -9,31 +9,97 @@ mod contour;
 mod dice;
 mod features;
 
-use radcomp_spec::Block;
-use radcomp_spec::parameters::{CornerCodes, Dummy};
-use radcomp_spec::profile::Profile;
+use radcomp_spec::parameters::{
+    CornerCodes, Dummy, InMode, NegativeRadius, ReadAheadStop, SameCode, SideChange, StartUp, StartUpArc, ToolChange,
+};
+use radcomp_spec::profile::{Machine, Profile};
+use radcomp_spec::{AlarmKind, Block, OuterCorner, Parameters};
 use rug::Rational;
 
 use dice::Dice;
 
-/// What a profile lets programs hold.
+/// What a profile lets programs hold, and what makes its own rules speak.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach {
-    /// Blocks without movement allowed between moves.
-    pub non_moving_allowed: u8,
-    /// Dummy blocks exist.
-    pub dummies: bool,
-    /// M96 and M97 exist.
-    pub corner_codes: bool,
+    machine: Machine,
+    parameters: Parameters,
 }
 
 impl Reach {
     /// What a profile's programs may hold.
     pub fn of(profile: &Profile) -> Self {
-        Reach {
-            non_moving_allowed: profile.parameters.non_moving_allowed,
-            dummies: profile.machine.dummy == Dummy::Ijk,
-            corner_codes: profile.machine.corner_codes == CornerCodes::M96M97,
+        Reach { machine: profile.machine, parameters: profile.parameters }
+    }
+
+    /// The parameters of the profile.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// Blocks without movement allowed between moves; none: any number.
+    pub fn non_moving_allowed(&self) -> Option<u8> {
+        self.parameters.non_moving_allowed
+    }
+
+    /// Dummy blocks exist.
+    pub fn dummies(&self) -> bool {
+        self.machine.dummy == Dummy::Ijk
+    }
+
+    /// M00 and M01 break the look-ahead ([TRC-LOOK-08]).
+    pub fn stops(&self) -> bool {
+        self.machine.read_ahead_stop == ReadAheadStop::BreaksLookAhead
+    }
+
+    /// The outer corners that codes choose ([TRC-CORNER-11]).
+    pub fn corners(&self) -> &'static [OuterCorner] {
+        match self.machine.corner_codes {
+            CornerCodes::None => &[],
+            CornerCodes::M96M97 => &[OuterCorner::Arc, OuterCorner::Intersection],
+            CornerCodes::G450G451 => &[OuterCorner::Arc, OuterCorner::LimitAngle],
+        }
+    }
+
+    /// The alarms of codes that are not for offset mode ([TRC-MODE-08]).
+    fn not_in_mode(&self) -> Vec<AlarmKind> {
+        let machine = &self.machine;
+        let codes = [
+            (machine.plane_change == InMode::Alarm, AlarmKind::PlaneChangeInMode),
+            (machine.reference_return == InMode::Alarm, AlarmKind::ReferenceReturnInMode),
+            (machine.machine_coordinates == InMode::Alarm, AlarmKind::MachineCoordinatesInMode),
+            (machine.set_coordinates == InMode::Alarm, AlarmKind::SetCoordinatesInMode),
+            (machine.tool_change == ToolChange::Alarm, AlarmKind::ToolChangeInMode),
+            (machine.canned_cycle == InMode::Alarm, AlarmKind::CannedCycleInMode),
+        ];
+        codes.into_iter().filter_map(|(alarm, kind)| alarm.then_some(kind)).collect()
+    }
+
+    /// An arc may start up ([TRC-START-09]).
+    pub fn starts_on_arcs(&self) -> bool {
+        self.parameters.start_up_arc == StartUpArc::MovedCentre
+    }
+
+    /// The entry move has to be longer than the radius ([TRC-START-07], [TRC-START-09]).
+    fn asks_entry_length(&self) -> bool {
+        self.parameters.start_up == StartUp::EntryNormal || self.starts_on_arcs()
+    }
+
+    /// A negative radius swaps the sides ([TRC-SIDE-07]).
+    fn negative_radii(&self) -> bool {
+        self.parameters.negative_radius == NegativeRadius::SwapsSides
+    }
+
+    /// One block in so many changes the side: few where that ends the program.
+    fn side_change_one_in(&self) -> usize {
+        if self.parameters.side_change == SideChange::Forbidden { 60 } else { 9 }
+    }
+
+    /// One block in so many gives the code in force again.
+    fn same_code_one_in(&self) -> usize {
+        match self.parameters.same_code {
+            SameCode::Ordinary => 25,
+            SameCode::Normal => 10,
+            SameCode::Alarm => 60,
         }
     }
 }
@@ -42,7 +108,7 @@ impl Reach {
 pub fn program(seed: u64, number: u64, reach: Reach) -> Vec<Block<Rational>> {
     // Three programs in a row share what they are made of.
     let mut dice = Dice::new(seed, number / 3);
-    let contour = contour::contour(&mut dice);
+    let contour = contour::contour(&mut dice, reach);
     let mut blocks = codes::with_codes(contour, &mut dice, reach);
     features::decorate(&mut blocks, &mut dice, reach);
     match number % 3 {

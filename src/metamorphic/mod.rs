@@ -67,8 +67,7 @@ pub fn check(
     let mut broken = Vec::new();
     for motion in motions() {
         let program: Vec<_> = blocks.iter().map(|block| motion.block(block)).collect();
-        let mut scaled = *parameters;
-        scaled.arc_end_tolerance.numerator *= motion.scale;
+        let Some(scaled) = motion.parameters(parameters) else { continue };
         if decides_within(&run(&scaled, &program), budget.beta(&program) * 16.0) {
             continue;
         }
@@ -77,7 +76,7 @@ pub fn check(
         let difference = compare(ask(device, &scaled, &program), &expected, delta, true);
         broken.extend(difference.map(|difference| Broken { relation: motion.name, program, difference }));
     }
-    if let Some(program) = split(&blocks, &exact)
+    if let Some(program) = split(parameters, &blocks, &exact)
         && let image = run(parameters, &program)
         && !runs_backwards(&image)
         && !decides_within(&image, budget.beta(&program) * 16.0)

@@ -1,6 +1,6 @@
 //! Similarities of the plane, applied to programs and to paths.
 
-use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, Segment};
+use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, Parameters, Segment};
 use rug::Rational;
 
 /// `p ↦ matrix·p + shift`: a rotation or a mirroring, with a whole scale, and a translation; exact.
@@ -89,6 +89,19 @@ impl Motion {
         });
         let radius = block.radius.as_ref().map(|radius| Rational::from(radius * self.scale));
         Block { movement, compensation, radius, ..block.clone() }
+    }
+
+    /// The parameters with their lengths grown by the scale; none if a rule of theirs looks at the coordinates themselves
+    /// and the motion does not map axes to axes ([TRC-CORNER-18]).
+    pub fn parameters(&self, parameters: &Parameters) -> Option<Parameters> {
+        let along_axes = self.matrix.iter().flatten().any(Rational::is_zero);
+        if parameters.small_vector_limit.numerator > 0 && !along_axes {
+            return None;
+        }
+        let mut scaled = *parameters;
+        scaled.arc_end_tolerance.numerator *= self.scale;
+        scaled.small_vector_limit.numerator *= self.scale;
+        Some(scaled)
     }
 
     /// A path element's image, with the arithmetic of the number type handed in: `image` maps a point.

@@ -1,16 +1,21 @@
 //! Splitting a straight block.
 
 use radcomp_model::Run;
-use radcomp_spec::{Block, Clause, Compensation, Movement, clause};
+use radcomp_spec::{Block, Clause, Compensation, Movement, Parameters, clause};
 use rug::Rational;
 
 /// The program with one compensated line split in the middle, if that may not change its path: not in a program whose
 /// sides change or whose tool runs backwards somewhere, since those rules look at whole blocks.
-pub fn split(blocks: &[Block<Rational>], exact: &Run) -> Option<Vec<Block<Rational>>> {
-    const WHOLE_BLOCKS: [Clause; 2] = [clause::TRC_SIDE_02, clause::TRC_SIDE_03];
+pub fn split(parameters: &Parameters, blocks: &[Block<Rational>], exact: &Run) -> Option<Vec<Block<Rational>>> {
+    const WHOLE_BLOCKS: [Clause; 4] =
+        [clause::TRC_SIDE_02, clause::TRC_SIDE_03, clause::TRC_SIDE_05, clause::TRC_SIDE_06];
     let by_whole_blocks = exact.steps.iter().any(|step| WHOLE_BLOCKS.contains(&step.clause));
     // Start-up, cancel and settled junctions look at the block next to them.
-    let plain = [clause::TRC_CORNER_03, clause::TRC_CORNER_04, clause::TRC_CORNER_06, clause::TRC_CORNER_08];
+    let mut plain = vec![clause::TRC_CORNER_03, clause::TRC_CORNER_04, clause::TRC_CORNER_06];
+    // A line that starts at a vector before the last one, which was dropped, is not its own offset.
+    if parameters.small_vector_limit.numerator == 0 {
+        plain.push(clause::TRC_CORNER_08);
+    }
     if by_whole_blocks || super::runs_backwards(exact) {
         return None;
     }
@@ -24,7 +29,7 @@ pub fn split(blocks: &[Block<Rational>], exact: &Run) -> Option<Vec<Block<Ration
     let Movement::Line { end } = &blocks[index].movement else { return None };
     let middle = [0, 1].map(|axis| Rational::from(&start[axis] + &end[axis]) / 2_u32);
     let mut program = blocks.to_vec();
-    let first = Block { movement: Movement::Line { end: middle }, ..blocks[index].clone() };
+    let first = Block { movement: Movement::Line { end: middle }, stops_look_ahead: false, ..blocks[index].clone() };
     let rest = Block { compensation: None, radius: None, corner: None, ..blocks[index].clone() };
     program.splice(index..=index, [first, rest]);
     Some(program)

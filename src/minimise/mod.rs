@@ -82,7 +82,14 @@ fn drop_blocks(
 }
 
 fn without_codes(block: &Block<Rational>) -> Option<Block<Rational>> {
-    let plain = Block { compensation: None, corner: None, rapid: false, ..block.clone() };
+    let plain = Block {
+        compensation: None,
+        corner: None,
+        rapid: false,
+        stops_look_ahead: false,
+        not_in_mode: None,
+        ..block.clone()
+    };
     (plain != *block).then_some(plain)
 }
 

@@ -92,7 +92,7 @@ impl Scene {
             None => format!("line {}", source.line),
         };
         let before = self.blocks.last().map_or(0.0, |block| block.radius);
-        let radius = block.radius.as_ref().map_or(before, nearest_f64);
+        let radius = block.radius.as_ref().map_or(before, |radius| nearest_f64(radius).abs());
         self.radius = self.radius.max(radius);
         if let Some(compensation) = block.compensation {
             self.side = compensation != Compensation::Off;

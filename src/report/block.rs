@@ -1,6 +1,6 @@
 //! Programs: their blocks.
 
-use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, OuterCorner};
+use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner};
 use rug::Rational;
 use serde::{Deserialize, Serialize};
 
@@ -25,6 +25,12 @@ pub struct BlockRecord {
     /// The outer corner that the block puts in force, if it does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub corner: Option<Id<OuterCorner>>,
+    /// A code that loses the look-ahead; left out if there is none.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub stops_look_ahead: bool,
+    /// The alarm of a code that is not for offset mode, if the block has one there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub not_in_mode: Option<Id<AlarmKind>>,
 }
 
 /// The movement of a block.
@@ -66,7 +72,7 @@ pub enum CentreRecord {
 
 impl From<&Block<Rational>> for BlockRecord {
     fn from(block: &Block<Rational>) -> Self {
-        let Block { movement, rapid, compensation, radius, corner } = block;
+        let Block { movement, rapid, compensation, radius, corner, stops_look_ahead, not_in_mode } = block;
         let point = |[a, b]: &[Rational; 2]| [Exact(a.clone()), Exact(b.clone())];
         BlockRecord {
             movement: match movement {
@@ -86,13 +92,15 @@ impl From<&Block<Rational>> for BlockRecord {
             compensation: compensation.map(Id),
             radius: radius.clone().map(Exact),
             corner: corner.map(Id),
+            stops_look_ahead: *stops_look_ahead,
+            not_in_mode: not_in_mode.map(Id),
         }
     }
 }
 
 impl From<&BlockRecord> for Block<Rational> {
     fn from(record: &BlockRecord) -> Self {
-        let BlockRecord { movement, rapid, compensation, radius, corner } = record;
+        let BlockRecord { movement, rapid, compensation, radius, corner, stops_look_ahead, not_in_mode } = record;
         let point = |[a, b]: &[Exact; 2]| [a.0.clone(), b.0.clone()];
         Block {
             movement: match movement {
@@ -112,6 +120,8 @@ impl From<&BlockRecord> for Block<Rational> {
             compensation: compensation.map(|id| id.0),
             radius: radius.as_ref().map(|radius| radius.0.clone()),
             corner: corner.map(|id| id.0),
+            stops_look_ahead: *stops_look_ahead,
+            not_in_mode: not_in_mode.map(|id| id.0),
         }
     }
 }

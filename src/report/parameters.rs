@@ -2,8 +2,9 @@
 
 use radcomp_spec::Parameters;
 use radcomp_spec::parameters::{
-    Cancel, CornerOwner, MOST_NON_MOVING, OuterCorner, Ratio, Reversal, ReversedPath, SideChange,
-    SideChangeAfterStartUp, StartUp, StartUpLost,
+    ArcExtension, ArcOnRapid, Cancel, CancelWithoutMovement, CornerOwner, EqualRadius, MOST_NON_MOVING, NegativeRadius,
+    OuterCorner, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc,
+    StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
 };
 use rug::Rational;
 use serde::de::Error;
@@ -24,14 +25,32 @@ pub struct ParametersRecord {
     pub reversal: Id<Reversal>,
     pub side_change: Id<SideChange>,
     pub side_change_after_start_up: Id<SideChangeAfterStartUp>,
-    #[serde(deserialize_with = "allowed")]
-    pub non_moving_allowed: u8,
+    #[serde(serialize_with = "write_allowed", deserialize_with = "read_allowed")]
+    pub non_moving_allowed: Option<u8>,
     pub corner_owner: Id<CornerOwner>,
     pub reversed_path: Id<ReversedPath>,
     #[serde(serialize_with = "write_ratio", deserialize_with = "read_ratio")]
     pub arc_end_tolerance: Ratio,
     #[serde(serialize_with = "write_ratio", deserialize_with = "read_ratio")]
     pub far_intersection: Ratio,
+    pub start_up_b: Id<StartUpB>,
+    pub start_up_without_movement: Id<StartUpWithoutMovement>,
+    pub start_up_arc: Id<StartUpArc>,
+    pub cancel_without_movement: Id<CancelWithoutMovement>,
+    #[serde(serialize_with = "write_ratio", deserialize_with = "read_ratio")]
+    pub corner_limit_cosine: Ratio,
+    pub arc_extension: Id<ArcExtension>,
+    #[serde(serialize_with = "write_ratio", deserialize_with = "read_ratio")]
+    pub smallest_corner_cosine: Ratio,
+    #[serde(serialize_with = "write_ratio", deserialize_with = "read_ratio")]
+    pub straight_band_cosine: Ratio,
+    pub arc_on_rapid: Id<ArcOnRapid>,
+    #[serde(serialize_with = "write_ratio", deserialize_with = "read_ratio")]
+    pub small_vector_limit: Ratio,
+    pub same_code: Id<SameCode>,
+    pub negative_radius: Id<NegativeRadius>,
+    pub equal_radius: Id<EqualRadius>,
+    pub zero_length_move: Id<ZeroLengthMove>,
 }
 
 impl From<&Parameters> for ParametersRecord {
@@ -49,6 +68,20 @@ impl From<&Parameters> for ParametersRecord {
             reversed_path,
             arc_end_tolerance,
             far_intersection,
+            start_up_b,
+            start_up_without_movement,
+            start_up_arc,
+            cancel_without_movement,
+            corner_limit_cosine,
+            arc_extension,
+            smallest_corner_cosine,
+            straight_band_cosine,
+            arc_on_rapid,
+            small_vector_limit,
+            same_code,
+            negative_radius,
+            equal_radius,
+            zero_length_move,
         } = *parameters;
         ParametersRecord {
             start_up: Id(start_up),
@@ -63,6 +96,20 @@ impl From<&Parameters> for ParametersRecord {
             reversed_path: Id(reversed_path),
             arc_end_tolerance,
             far_intersection,
+            start_up_b: Id(start_up_b),
+            start_up_without_movement: Id(start_up_without_movement),
+            start_up_arc: Id(start_up_arc),
+            cancel_without_movement: Id(cancel_without_movement),
+            corner_limit_cosine,
+            arc_extension: Id(arc_extension),
+            smallest_corner_cosine,
+            straight_band_cosine,
+            arc_on_rapid: Id(arc_on_rapid),
+            small_vector_limit,
+            same_code: Id(same_code),
+            negative_radius: Id(negative_radius),
+            equal_radius: Id(equal_radius),
+            zero_length_move: Id(zero_length_move),
         }
     }
 }
@@ -82,16 +129,46 @@ impl From<&ParametersRecord> for Parameters {
             reversed_path: record.reversed_path.0,
             arc_end_tolerance: record.arc_end_tolerance,
             far_intersection: record.far_intersection,
+            start_up_b: record.start_up_b.0,
+            start_up_without_movement: record.start_up_without_movement.0,
+            start_up_arc: record.start_up_arc.0,
+            cancel_without_movement: record.cancel_without_movement.0,
+            corner_limit_cosine: record.corner_limit_cosine,
+            arc_extension: record.arc_extension.0,
+            smallest_corner_cosine: record.smallest_corner_cosine,
+            straight_band_cosine: record.straight_band_cosine,
+            arc_on_rapid: record.arc_on_rapid.0,
+            small_vector_limit: record.small_vector_limit,
+            same_code: record.same_code.0,
+            negative_radius: record.negative_radius.0,
+            equal_radius: record.equal_radius.0,
+            zero_length_move: record.zero_length_move.0,
         }
     }
 }
 
-fn allowed<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u8, D::Error> {
-    let count = u8::deserialize(deserializer)?;
-    if count <= MOST_NON_MOVING {
-        return Ok(count);
+/// The word for any number of blocks without movement.
+const UNBOUNDED: &str = "unbounded";
+
+fn write_allowed<S: Serializer>(allowed: &Option<u8>, serializer: S) -> Result<S::Ok, S::Error> {
+    match allowed {
+        Some(count) => serializer.serialize_u8(*count),
+        None => serializer.serialize_str(UNBOUNDED),
     }
-    Err(Error::custom(format!("non-moving-allowed is at most {MOST_NON_MOVING}")))
+}
+
+fn read_allowed<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<u8>, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Allowed {
+        Count(u8),
+        Word(String),
+    }
+    match Allowed::deserialize(deserializer)? {
+        Allowed::Count(count) if count <= MOST_NON_MOVING => Ok(Some(count)),
+        Allowed::Word(word) if word == UNBOUNDED => Ok(None),
+        _ => Err(Error::custom(format!("non-moving-allowed is at most {MOST_NON_MOVING}, or \"{UNBOUNDED}\""))),
+    }
 }
 
 fn write_ratio<S: Serializer>(ratio: &Ratio, serializer: S) -> Result<S::Ok, S::Error> {

@@ -4,7 +4,9 @@ use std::cmp::Ordering;
 
 use radcomp_spec::clause::{self, Clause};
 use radcomp_spec::parameters::{
-    Cancel, CornerOwner, OuterCorner, Reversal, ReversedPath, SideChange, SideChangeAfterStartUp, StartUp, StartUpLost,
+    ArcExtension, ArcOnRapid, Cancel, CancelWithoutMovement, CornerOwner, EqualRadius, NegativeRadius, OuterCorner,
+    Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc, StartUpB, StartUpLost,
+    StartUpWithoutMovement, ZeroLengthMove,
 };
 use radcomp_spec::{AlarmKind, Compensation, DecisionKind, Direction, Side};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -62,6 +64,16 @@ choices! {
     SideChangeAfterStartUp = "side-change-after-start-up";
     CornerOwner = "corner-owner";
     ReversedPath = "reversed-path";
+    StartUpB = "start-up-b";
+    StartUpWithoutMovement = "start-up-without-movement";
+    StartUpArc = "start-up-arc";
+    CancelWithoutMovement = "cancel-without-movement";
+    ArcExtension = "arc-extension";
+    ArcOnRapid = "arc-on-rapid";
+    SameCode = "same-code";
+    NegativeRadius = "negative-radius";
+    EqualRadius = "equal-radius";
+    ZeroLengthMove = "zero-length-move";
 }
 
 macro_rules! words {

@@ -15,8 +15,9 @@ use super::piece::Turn;
 impl Contour {
     /// The compensated elements of a program: the blocks that move after a start-up block and before the cancel block.
     ///
-    /// Reading ends at a block that no control runs: an arc that starts up or cancels, that does not exist, or whose
-    /// centre is its start or its end, and another radius in offset mode.
+    /// Reading ends at a block that no control runs: an arc that cancels, that does not exist, or whose centre is its start
+    /// or its end, another radius in offset mode, and a code that is not for offset mode. An arc that starts up, which
+    /// some controls run about another centre, is a start-up block like others. A negative radius swaps the sides.
     ///
     /// # Exactness
     ///
@@ -74,10 +75,13 @@ struct Exact {
 impl Reading {
     /// Reads a block; none ends the contour.
     fn block(&mut self, index: usize, block: &Block<Rational>) -> Option<()> {
+        if block.not_in_mode.is_some() {
+            return None;
+        }
         let in_offset = matches!(self.mode, Mode::Offset);
         let off = block.compensation == Some(Compensation::Off);
         if let Some(radius) = &block.radius {
-            if in_offset && !off && *radius != self.radius {
+            if in_offset && !off && radius.clone().abs() != self.radius.clone().abs() {
                 return None;
             }
             self.radius = radius.clone();
@@ -97,7 +101,9 @@ impl Reading {
         };
         let exact = Exact::of(&self.at, &block.movement)?;
         let is_line = matches!(exact.shape, ElementShape::Line(_));
-        match (&self.mode, self.side) {
+        let swapped = self.radius.is_negative();
+        let side = self.side.map(|side| if swapped { side.other() } else { side });
+        match (&self.mode, side) {
             (Mode::Offset, Some(side)) => self.element(index, side, exact),
             (Mode::Offset, None) | (Mode::Cancel, None) => {}
             (Mode::Cancelling(from), side) => {
@@ -115,8 +121,7 @@ impl Reading {
                     self.start_up(index, end);
                 }
             }
-            (Mode::Cancel, Some(_)) if is_line => self.start_up(index, end),
-            (Mode::Cancel, Some(_)) => return None,
+            (Mode::Cancel, Some(_)) => self.start_up(index, end),
         }
         self.at = end.clone();
         Some(())
@@ -172,7 +177,7 @@ impl Open {
     fn new(side: Side, radius: &Rational, from: usize, start: &[Rational; 2]) -> Self {
         let stretch = Stretch {
             side,
-            radius: interval(&Real::from(radius)),
+            radius: interval(&Real::from(&radius.clone().abs())),
             start_up: None,
             blocks: from..=usize::MAX,
             cancel: None,

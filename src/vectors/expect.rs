@@ -2,10 +2,12 @@
 
 use radcomp_model::number::Real;
 use radcomp_model::{Run, run};
-use radcomp_spec::{Direction, Segment};
+use radcomp_spec::parameters::Tip;
+use radcomp_spec::{Direction, Parameters, Segment};
 
 use super::Vector;
 use crate::gcode::Program;
+use crate::tip;
 
 /// Runs a vector through reader and model. None if every expectation holds exactly, else the first that does not, in
 /// words.
@@ -32,6 +34,7 @@ fn check(vector: &Vector) -> Result<(), String> {
     let blocks: Vec<_> = program.blocks.iter().map(|read| read.block.clone()).collect();
     let run = run(&profile.parameters, &blocks);
     path(vector, &program, &run)?;
+    tip_path(vector, &profile.parameters, &program, &run)?;
     let line = |block: usize| program.blocks.get(block).map_or(0, |read| read.line);
     let alarm = run.alarm.map(|alarm| format!("{} {}", line(alarm.block), alarm.kind.id()));
     if alarm != vector.alarm {
@@ -109,6 +112,34 @@ fn path(vector: &Vector, program: &Program, run: &Run) -> Result<(), String> {
         };
         if !same {
             return Err(differs());
+        }
+    }
+    Ok(())
+}
+
+/// The tip at the end of each step but the holds.
+fn tip_path(vector: &Vector, parameters: &Parameters, program: &Program, run: &Run) -> Result<(), String> {
+    let Some(expected) = &vector.tip_path else { return Ok(()) };
+    let mut tips = Vec::new();
+    for step in &run.steps {
+        let nose = program.blocks.get(step.block).and_then(|read| read.nose.as_ref());
+        let (radius, orientation) = nose.map_or((Real::zero(), Tip::Centre), |nose| ((&nose.radius).into(), nose.tip));
+        let told = tip::at_end(step, nose, parameters);
+        let exact = radcomp_model::tip(step, parameters, &radius, orientation).map(|tip| [tip.a, tip.b]);
+        if told != exact {
+            return Err(format!("the model and the toolkit have two tips after block {}", step.block));
+        }
+        tips.extend(exact);
+    }
+    for index in 0..expected.len().max(tips.len()) {
+        let got = tips.get(index).map(|[a, b]| format!("{a} {b}")).unwrap_or_default();
+        let wanted = expected.get(index).map(String::as_str).unwrap_or_default();
+        let same = match (tips.get(index), wanted.split_once(' ')) {
+            (Some(tip), Some((a, b))) => number(a)? == tip[0] && number(b)? == tip[1],
+            _ => false,
+        };
+        if !same {
+            return Err(format!("tip {}: expected `{wanted}`, got `{got}`", index + 1));
         }
     }
     Ok(())

@@ -13,7 +13,7 @@ use radcomp_spec::catalogue::Catalogue;
 use radcomp_spec::profile::{BUILTIN, Profile};
 use serde::Deserialize;
 
-use crate::gcode::{self, Program, Tools};
+use crate::gcode::{self, Program, Tool, Tools};
 
 pub use expect::mismatch;
 
@@ -31,6 +31,10 @@ pub struct Vector {
     pub profile: String,
     /// Radius of tool 1, in millimetres; there is no tool if it is absent.
     pub radius: Option<String>,
+    /// Wear of tool 1, in millimetres; 0 if it is absent ([TRC-TIP-02]).
+    pub wear: Option<String>,
+    /// Tip orientation of tool 1 ([TRC-TIP-01]).
+    pub tip: Option<u8>,
     /// Radii of further tools by number, in millimetres.
     #[serde(default)]
     pub tools: BTreeMap<String, String>,
@@ -42,6 +46,9 @@ pub struct Vector {
     /// The expected path, one element a string: line, kind, numbers, clause.
     #[serde(default)]
     pub path: Vec<String>,
+    /// The expected tip at the end of each step but the holds, two coordinates a string; not checked if absent.
+    #[serde(rename = "tip-path")]
+    pub tip_path: Option<Vec<String>>,
     /// The expected alarm: line and kind.
     pub alarm: Option<String>,
     /// The expected advisories: line, kind, amount; not checked if absent.
@@ -61,6 +68,12 @@ const FILES: &[(&str, &str)] = &[
     ("seed-001", include_str!("../../tests/vectors/seed-001.toml")),
     ("seed-003", include_str!("../../tests/vectors/seed-003.toml")),
     ("tv-1", include_str!("../../tests/vectors/tv-1.toml")),
+    ("tv-2", include_str!("../../tests/vectors/tv-2.toml")),
+    ("tv-3", include_str!("../../tests/vectors/tv-3.toml")),
+    ("tv-4", include_str!("../../tests/vectors/tv-4.toml")),
+    ("tv-5", include_str!("../../tests/vectors/tv-5.toml")),
+    ("tv-8", include_str!("../../tests/vectors/tv-8.toml")),
+    ("tv-10", include_str!("../../tests/vectors/tv-10.toml")),
 ];
 
 /// The vectors of `tests/vectors`, and the worked examples of every clause, each with the clause's id as its name.
@@ -122,12 +135,16 @@ impl Vector {
     ///
     /// The outer error is a fault of the vector itself.
     pub fn read(&self, profile: &Profile) -> Result<Result<Program, gcode::Diagnostic>, String> {
+        let decimal =
+            |what: &str, text: &str| parse_decimal(text).ok_or_else(|| format!("{what} {text:?} is no decimal"));
         let mut tools = Tools::empty();
-        let first = self.radius.iter().map(|radius| ("1", radius));
-        for (number, radius) in first.chain(self.tools.iter().map(|(number, radius)| (number.as_str(), radius))) {
-            let exact = parse_decimal(radius).ok_or_else(|| format!("radius {radius:?} is no decimal"))?;
+        if let Some(radius) = &self.radius {
+            let wear = self.wear.as_deref().map(|wear| decimal("wear", wear)).transpose()?.unwrap_or_default();
+            tools = tools.with_tool(1, Tool { geometry: decimal("radius", radius)?, wear, orientation: self.tip });
+        }
+        for (number, radius) in &self.tools {
             let number = number.parse().map_err(|_| format!("tool {number:?} is no number"))?;
-            tools = tools.with_radius(number, exact);
+            tools = tools.with_radius(number, decimal("radius", radius)?);
         }
         Ok(gcode::read("program", self.program.as_bytes(), profile, &tools))
     }

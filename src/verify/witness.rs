@@ -76,5 +76,7 @@ fn structure(block: &Block<Rational>) -> Block<Rational> {
         compensation: block.compensation,
         radius: block.radius.as_ref().map(|_| Rational::new()),
         corner: block.corner,
+        stops_look_ahead: block.stops_look_ahead,
+        not_in_mode: block.not_in_mode,
     }
 }

@@ -14,7 +14,7 @@ fn every_block_is_told_with_its_corner_its_margin_and_its_clause() {
         "compensation on, tool left of the path",
         "tool radius 5 mm",
         "with line 9: inner corner: the path turns by 126.8699° to the tool's side; margin 20 mm [TRC-CORNER-01]",
-        "it turns by more than 90°: an acute corner, squared off; margin 15 mm [TRC-CORNER-08]",
+        "it turns by more than 90°: an acute corner; margin 15 mm [TRC-CORNER-08]",
         "Y = 38 + √29",
         "[TRC-CORNER-03] Inner corner of two lines At an inner corner of two lines the vector is the intersection",
         "the tool fits inside the arc; margin 10 mm [TRC-ARC-05]",

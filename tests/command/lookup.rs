@@ -6,9 +6,8 @@ use super::{complaint, printed, radcomp};
 fn profiles_are_listed() {
     let text = printed(radcomp(&["profiles"]));
     let names: Vec<&str> = text.lines().filter_map(|line| line.split_whitespace().next()).collect();
-    for name in ["mori-lathe", "seed-mill", "yasnac-lx"] {
-        assert!(names.contains(&name), "{text}");
-    }
+    let known: Vec<&str> = radcomp_spec::profile::BUILTIN.iter().map(|(name, _)| *name).collect();
+    assert_eq!(names, known);
 }
 
 #[test]
@@ -17,8 +16,12 @@ fn a_profile_shows_every_parameter_with_its_source_and_clause() {
     let row = text.lines().find(|line| line.starts_with("compensation.non-moving-allowed")).unwrap();
     let words: Vec<&str> = row.split_whitespace().collect();
     assert_eq!(words[1..4], ["2", "S:seed003", "TRC-LOOK-02"]);
-    let rows = text.lines().filter(|line| line.contains("TRC-")).count();
-    assert_eq!(rows, radcomp_spec::profile::PARAMETERS.len());
+    let (alarms, rows): (Vec<&str>, Vec<&str>) =
+        text.lines().filter(|line| line.contains("TRC-")).partition(|line| line.starts_with("alarm "));
+    assert_eq!(rows.len(), radcomp_spec::profile::PARAMETERS.len());
+    assert_eq!(alarms.len(), radcomp_spec::AlarmKind::ALL.len());
+    let text = printed(radcomp(&["profiles", "haas-b"]));
+    assert!(text.lines().any(|line| line.starts_with("alarm arc-at-cancel") && line.ends_with("341 (K)")), "{text}");
 }
 
 #[test]

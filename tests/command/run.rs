@@ -33,6 +33,44 @@ fn a_lathe_has_its_diameters_back() {
 }
 
 #[test]
+fn the_tip_of_a_lathe_stands_under_its_nose() {
+    let folder = tempfile::tempdir().unwrap();
+    let tools = folder.path().join("tools.toml");
+    std::fs::write(&tools, "[[tool]]\nnumber = 1\nradius = \"1.1\"\nwear = \"-0.1\"\norientation = 3\n").unwrap();
+    let program = folder.path().join("a.nc");
+    std::fs::write(&program, "T0101\nG00 X20 Z5\nG42 G01 Z0 F0.2\nZ-20\nG40 X40\n").unwrap();
+    let run = |more: &[&str]| {
+        let paths = [program.to_str().unwrap(), "-p", "mori-lathe", "-t", tools.to_str().unwrap(), "--tip"];
+        printed(radcomp(&[&["run"], &paths[..], more].concat()))
+    };
+    let text = run(&[]);
+    let tips: Vec<_> = text.lines().filter(|line| line.trim_start().starts_with("tip")).collect();
+    let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(words(tips[1]), "tip X 20.000000 Z -1.000000");
+    assert_eq!(words(tips[3]), "tip X 40.000000 Z -20.000000");
+    let document: Value = serde_json::from_str(&run(&["-f", "json", "--engine", "impl"])).unwrap();
+    let events = document["events"].as_array().unwrap();
+    assert_eq!((&events[3]["end"]["X"]["decimal"], &events[3]["tip"]["X"]["decimal"]), (&"22".into(), &"20".into()));
+    assert_eq!(events[0]["tip"], Value::Null);
+}
+
+#[test]
+fn an_alarm_has_the_number_that_the_profile_gives() {
+    let program = "G41 D1 G02 X5 Y5 R5\n";
+    let run = |profile: &str| {
+        let arguments = ["run", "-", "--profile", profile, "--radius", "1", "-f", "json"];
+        radcomp(&arguments).write_stdin(program).assert().code(1).get_output().clone()
+    };
+    let output = run("fanuc-30i");
+    let document: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(document["alarm"]["number"], "PS0034");
+    let complaint = String::from_utf8(output.stderr).unwrap();
+    assert!(complaint.contains("profile fanuc-30i gives this alarm as: PS0034 (K)"), "{complaint}");
+    let document: Value = serde_json::from_slice(&run("seed-mill").stdout).unwrap();
+    assert_eq!(document["alarm"]["number"], Value::Null);
+}
+
+#[test]
 fn json_is_one_document() {
     let text = printed(radcomp(&[&FIRST[..], &["--format", "json"]].concat()));
     let document: Value = serde_json::from_str(&text).unwrap();
@@ -151,7 +189,7 @@ fn blocks_with_a_slash_are_skipped_on_demand() {
 fn the_radius_option_takes_the_place_of_tool_1() {
     let options = [&FIRST[..], &["--radius", "2"]].concat();
     assert!(printed(radcomp(&options)).contains("X     -2.000000   Y      0.000000"));
-    for wrong in ["-1", "five", "1e3", "1.0000000001"] {
+    for wrong in ["--1", "five", "1e3", "1.0000000001"] {
         let complaint = complaint(radcomp(&[&FIRST[..], &["--radius", wrong]].concat()), 2);
         assert!(complaint.contains("a radius is a decimal"), "{complaint}");
     }

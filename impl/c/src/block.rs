@@ -1,5 +1,6 @@
 //! Blocks as C sees them.
 
+use crate::step::{RADCOMP_NAME, kind, name};
 use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
 
 /// No movement in the plane.
@@ -30,10 +31,12 @@ pub const RADCOMP_RIGHT: u32 = 3;
 pub const RADCOMP_INTERSECTION: u32 = 1;
 /// Outer corners by an arc.
 pub const RADCOMP_CORNER_ARC: u32 = 2;
+/// Outer corners by intersection down to the limit angle of the profile, by an arc below it.
+pub const RADCOMP_LIMIT_ANGLE: u32 = 3;
 
 /// One block of a program, modal codes, units and diameters resolved.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct radcomp_block {
     /// RADCOMP_NONE, RADCOMP_LINE, RADCOMP_ARC, RADCOMP_ARC_RADIUS or RADCOMP_DUMMY.
     pub movement: u32,
@@ -43,8 +46,10 @@ pub struct radcomp_block {
     pub rapid: u32,
     /// RADCOMP_UNCHANGED, RADCOMP_OFF, RADCOMP_LEFT or RADCOMP_RIGHT.
     pub compensation: u32,
-    /// RADCOMP_UNCHANGED, RADCOMP_INTERSECTION or RADCOMP_CORNER_ARC.
+    /// RADCOMP_UNCHANGED, RADCOMP_INTERSECTION, RADCOMP_CORNER_ARC or RADCOMP_LIMIT_ANGLE.
     pub corner: u32,
+    /// Not 0: a code that loses the look-ahead.
+    pub stops_look_ahead: u32,
     /// Not 0: the block puts `radius` in force.
     pub has_radius: u32,
     /// The tool radius.
@@ -53,6 +58,27 @@ pub struct radcomp_block {
     pub end: [f64; 2],
     /// The centre of an arc.
     pub centre: [f64; 2],
+    /// The alarm of a code that is not for offset mode, such as "tool-change-in-mode", with a zero at its end; empty for
+    /// none.
+    pub not_in_mode: [core::ffi::c_char; RADCOMP_NAME],
+}
+
+impl Default for radcomp_block {
+    fn default() -> Self {
+        radcomp_block {
+            movement: RADCOMP_NONE,
+            direction: RADCOMP_CLOCKWISE,
+            rapid: 0,
+            compensation: RADCOMP_UNCHANGED,
+            corner: RADCOMP_UNCHANGED,
+            stops_look_ahead: 0,
+            has_radius: 0,
+            radius: 0.0,
+            end: [0.0; 2],
+            centre: [0.0; 2],
+            not_in_mode: [0; RADCOMP_NAME],
+        }
+    }
 }
 
 impl radcomp_block {
@@ -82,10 +108,13 @@ impl radcomp_block {
             RADCOMP_UNCHANGED => None,
             RADCOMP_INTERSECTION => Some(OuterCorner::Intersection),
             RADCOMP_CORNER_ARC => Some(OuterCorner::Arc),
+            RADCOMP_LIMIT_ANGLE => Some(OuterCorner::LimitAngle),
             _ => return None,
         };
         let radius = (self.has_radius != 0).then_some(self.radius);
-        Some(Block { rapid: self.rapid != 0, compensation, radius, corner, ..Block::moving(movement) })
+        let not_in_mode = kind(&self.not_in_mode).ok()?;
+        let (rapid, stops_look_ahead) = (self.rapid != 0, self.stops_look_ahead != 0);
+        Some(Block { movement, rapid, compensation, radius, corner, stops_look_ahead, not_in_mode })
     }
 }
 
@@ -103,7 +132,10 @@ impl From<&Block<f64>> for radcomp_block {
                 None => RADCOMP_UNCHANGED,
                 Some(OuterCorner::Intersection) => RADCOMP_INTERSECTION,
                 Some(OuterCorner::Arc) => RADCOMP_CORNER_ARC,
+                Some(OuterCorner::LimitAngle) => RADCOMP_LIMIT_ANGLE,
             },
+            stops_look_ahead: u32::from(block.stops_look_ahead),
+            not_in_mode: block.not_in_mode.map_or([0; RADCOMP_NAME], name),
             has_radius: u32::from(block.radius.is_some()),
             radius: block.radius.unwrap_or_default(),
             ..radcomp_block::default()

@@ -3,12 +3,13 @@
 
 use radcomp_spec::Parameters;
 use radcomp_spec::parameters::{
-    Cancel, CornerOwner, MOST_NON_MOVING, OuterCorner, Ratio, Reversal, ReversedPath, SideChange,
-    SideChangeAfterStartUp, StartUp, StartUpLost,
+    ArcExtension, ArcOnRapid, Cancel, CancelWithoutMovement, CornerOwner, EqualRadius, MOST_NON_MOVING, NegativeRadius,
+    OuterCorner, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc,
+    StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
 };
 
 /// Every name.
-const NAMES: [&str; 12] = [
+const NAMES: [&str; 26] = [
     "start-up",
     "start-up-lost",
     "cancel",
@@ -21,6 +22,20 @@ const NAMES: [&str; 12] = [
     "reversed-path",
     "arc-end-tolerance",
     "far-intersection",
+    "start-up-b",
+    "start-up-without-movement",
+    "start-up-arc",
+    "cancel-without-movement",
+    "corner-limit-cosine",
+    "arc-extension",
+    "smallest-corner-cosine",
+    "straight-band-cosine",
+    "arc-on-rapid",
+    "small-vector-limit",
+    "same-code",
+    "negative-radius",
+    "equal-radius",
+    "zero-length-move",
 ];
 
 /// The parameters that a text gives: each of the compensation's parameters once, by the names and values of
@@ -46,14 +61,28 @@ pub fn parameters(text: &str) -> Option<Parameters> {
         reversal: word(text, "reversal", Reversal::VALUES)?,
         side_change: word(text, "side-change", SideChange::VALUES)?,
         side_change_after_start_up: word(text, "side-change-after-start-up", SideChangeAfterStartUp::VALUES)?,
-        non_moving_allowed: value(text, "non-moving-allowed")?
-            .parse()
-            .ok()
-            .filter(|count| *count <= MOST_NON_MOVING)?,
+        non_moving_allowed: match value(text, "non-moving-allowed")? {
+            "unbounded" => None,
+            count => Some(count.parse().ok().filter(|count| *count <= MOST_NON_MOVING)?),
+        },
         corner_owner: word(text, "corner-owner", CornerOwner::VALUES)?,
         reversed_path: word(text, "reversed-path", ReversedPath::VALUES)?,
         arc_end_tolerance: ratio(value(text, "arc-end-tolerance")?)?,
         far_intersection: ratio(value(text, "far-intersection")?)?,
+        start_up_b: word(text, "start-up-b", StartUpB::VALUES)?,
+        start_up_without_movement: word(text, "start-up-without-movement", StartUpWithoutMovement::VALUES)?,
+        start_up_arc: word(text, "start-up-arc", StartUpArc::VALUES)?,
+        cancel_without_movement: word(text, "cancel-without-movement", CancelWithoutMovement::VALUES)?,
+        corner_limit_cosine: ratio(value(text, "corner-limit-cosine")?)?,
+        arc_extension: word(text, "arc-extension", ArcExtension::VALUES)?,
+        smallest_corner_cosine: ratio(value(text, "smallest-corner-cosine")?)?,
+        straight_band_cosine: ratio(value(text, "straight-band-cosine")?)?,
+        arc_on_rapid: word(text, "arc-on-rapid", ArcOnRapid::VALUES)?,
+        small_vector_limit: ratio(value(text, "small-vector-limit")?)?,
+        same_code: word(text, "same-code", SameCode::VALUES)?,
+        negative_radius: word(text, "negative-radius", NegativeRadius::VALUES)?,
+        equal_radius: word(text, "equal-radius", EqualRadius::VALUES)?,
+        zero_length_move: word(text, "zero-length-move", ZeroLengthMove::VALUES)?,
     })
 }
 

@@ -84,13 +84,7 @@ impl radcomp_step {
 
 impl From<Alarm> for radcomp_alarm {
     fn from(alarm: Alarm) -> Self {
-        let mut out = radcomp_alarm { block: alarm.block as u64, ..radcomp_alarm::default() };
-        // The last byte stays zero.
-        let room = &mut out.name[..RADCOMP_NAME - 1];
-        for (to, from) in room.iter_mut().zip(alarm.kind.id().bytes()) {
-            *to = from as core::ffi::c_char;
-        }
-        out
+        radcomp_alarm { block: alarm.block as u64, name: name(alarm.kind) }
     }
 }
 
@@ -98,12 +92,27 @@ impl radcomp_alarm {
     /// The alarm; `Ok(None)` if there is none, an error if there is none of this name.
     #[allow(clippy::result_unit_err, reason = "there is one error, and the caller words it")]
     pub fn alarm(&self) -> Result<Option<Alarm>, ()> {
-        let length = self.name.iter().position(|byte| *byte == 0).ok_or(())?;
-        if length == 0 {
-            return Ok(None);
-        }
-        let is = |kind: &&AlarmKind| kind.id().bytes().eq(self.name[..length].iter().map(|byte| *byte as u8));
-        let kind = *AlarmKind::ALL.iter().find(is).ok_or(())?;
+        let Some(kind) = kind(&self.name)? else { return Ok(None) };
         Ok(Some(Alarm { block: usize::try_from(self.block).map_err(|_| ())?, kind }))
     }
+}
+
+/// The name of an alarm, with a zero at its end.
+pub(crate) fn name(kind: AlarmKind) -> [core::ffi::c_char; RADCOMP_NAME] {
+    let mut name = [0; RADCOMP_NAME];
+    // The last byte stays zero.
+    for (to, from) in name[..RADCOMP_NAME - 1].iter_mut().zip(kind.id().bytes()) {
+        *to = from as core::ffi::c_char;
+    }
+    name
+}
+
+/// The alarm of a name; `Ok(None)` for an empty one, an error if there is none of this name.
+pub(crate) fn kind(name: &[core::ffi::c_char; RADCOMP_NAME]) -> Result<Option<AlarmKind>, ()> {
+    let length = name.iter().position(|byte| *byte == 0).ok_or(())?;
+    if length == 0 {
+        return Ok(None);
+    }
+    let is = |kind: &&AlarmKind| kind.id().bytes().eq(name[..length].iter().map(|byte| *byte as u8));
+    AlarmKind::ALL.iter().find(is).copied().map(Some).ok_or(())
 }

@@ -1,38 +1,44 @@
 //! Just enough G-code for the worked examples of the clauses: one block a line, no errors.
 
-use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
+use radcomp_spec::parameters::*;
+use radcomp_spec::profile::{Machine, Profile};
+use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
 
 /// A program reader; the fields are its modal state.
 pub struct Reader {
-    /// X words are diameters, and M96 and M97 count: a lathe.
-    lathe: bool,
-    /// The I word of a dummy block is a diameter.
-    pub dummy_diameter: bool,
-    tool: f64,
-    /// Tools with a radius of their own: number and radius.
-    pub tools: Vec<(f64, f64)>,
+    machine: Machine,
+    activation: [Activation; 5],
+    /// Number and radius.
+    tools: Vec<(u32, f64)>,
     plane: [char; 2],
     motion: u32,
     incremental: bool,
     position: [f64; 3],
+    /// The code in force. [TRC-CANCEL-07]
+    asked: Option<Side>,
+    /// Offset number 0 is in force.
+    offset_zero: bool,
 }
 
 const AXES: &str = "XYZ";
 const CENTRES: &str = "IJK";
 
 impl Reader {
-    pub fn new(profile: &str, tool: f64) -> Self {
-        let plane = if profile == "seed-mill" { ['X', 'Y'] } else { ['Z', 'X'] };
-        let lathe = profile != "seed-mill";
+    pub fn new(profile: &Profile, tools: Vec<(u32, f64)>) -> Self {
         Reader {
-            lathe,
-            dummy_diameter: false,
-            tool,
-            tools: Vec::new(),
-            plane,
+            machine: profile.machine,
+            activation: profile.activation,
+            tools,
+            plane: match profile.machine.plane {
+                Plane::Xy => ['X', 'Y'],
+                Plane::Zx => ['Z', 'X'],
+                Plane::Yz => ['Y', 'Z'],
+            },
             motion: 0,
             incremental: false,
             position: [0.0; 3],
+            asked: None,
+            offset_zero: false,
         }
     }
 
@@ -41,42 +47,113 @@ impl Reader {
             line.split_whitespace().map(|word| (word.chars().next().unwrap(), word[1..].parse().unwrap())).collect();
         let word = |letter: char| words.iter().find(|word| word.0 == letter).map(|word| word.1);
         let mut block = Block::empty();
+        let plane = self.plane;
         for (letter, value) in &words {
             match (letter, *value as u32) {
                 ('G', motion @ 0..=3) => self.motion = motion,
                 ('G', 17) => self.plane = ['X', 'Y'],
                 ('G', 18) => self.plane = ['Z', 'X'],
                 ('G', 19) => self.plane = ['Y', 'Z'],
-                ('G', 40) => block.compensation = Some(Compensation::Off),
-                ('G', 41) => block.compensation = Some(Compensation::On(Side::Left)),
-                ('G', 42) => block.compensation = Some(Compensation::On(Side::Right)),
+                ('G', code @ 40..=44) => block.compensation = self.activated(code as usize - 40),
                 ('G', 90) => self.incremental = false,
                 ('G', 91) => self.incremental = true,
-                ('D' | 'T', _) => {
-                    let own = self.tools.iter().find(|tool| tool.0 == *value);
-                    block.radius = Some(own.map_or(self.tool, |tool| tool.1));
+                ('G', 450) => block.corner = Some(OuterCorner::Arc),
+                ('G', 451) => block.corner = Some(OuterCorner::LimitAngle),
+                ('D' | 'T', number) => self.select(number % 100, &mut block),
+                ('M', 0 | 1) => {
+                    block.stops_look_ahead = self.machine.read_ahead_stop == ReadAheadStop::BreaksLookAhead;
                 }
-                ('M', 96) if self.lathe => block.corner = Some(OuterCorner::Arc),
-                ('M', 97) if self.lathe => block.corner = Some(OuterCorner::Intersection),
+                ('M', 96) if self.machine.corner_codes == CornerCodes::M96M97 => block.corner = Some(OuterCorner::Arc),
+                ('M', 97) if self.machine.corner_codes == CornerCodes::M96M97 => {
+                    block.corner = Some(OuterCorner::Intersection);
+                }
                 _ => {}
             }
         }
+        self.note_side(&mut block);
+        if self.asked.is_some() {
+            block.not_in_mode = words.iter().find_map(|word| self.not_in_mode(*word, self.plane != plane));
+        }
         block.rapid = self.motion == 0;
+        // The words of a dwell are its time.
+        if !words.contains(&('G', 4.0)) {
+            self.read_movement(&word, &mut block);
+        }
+        block
+    }
+
+    /// The alarm of a code in mode. [TRC-MODE-08]
+    fn not_in_mode(&self, (letter, value): (char, f64), other_plane: bool) -> Option<AlarmKind> {
+        let machine = &self.machine;
+        let (rule, kind) = match (letter, value as u32) {
+            ('G', 17..=19) if other_plane => (machine.plane_change, AlarmKind::PlaneChangeInMode),
+            ('G', 28..=30) => (machine.reference_return, AlarmKind::ReferenceReturnInMode),
+            ('G', 53) => (machine.machine_coordinates, AlarmKind::MachineCoordinatesInMode),
+            ('G', 92) => (machine.set_coordinates, AlarmKind::SetCoordinatesInMode),
+            ('G', 81) => (machine.canned_cycle, AlarmKind::CannedCycleInMode),
+            ('M', 6) if machine.tool_change == ToolChange::Alarm => (InMode::Alarm, AlarmKind::ToolChangeInMode),
+            _ => return None,
+        };
+        (rule == InMode::Alarm).then_some(kind)
+    }
+
+    /// What a code means. [TRC-PLANE-05]
+    fn activated(&self, code: usize) -> Option<Compensation> {
+        match self.activation[code] {
+            Activation::Cancel => Some(Compensation::Off),
+            Activation::Left => Some(Compensation::On(Side::Left)),
+            Activation::Right => Some(Compensation::On(Side::Right)),
+            Activation::Undeclared | Activation::Absent => None,
+        }
+    }
+
+    fn select(&mut self, number: u32, block: &mut Block<f64>) {
+        let was_zero = self.offset_zero;
+        self.offset_zero = number == 0;
+        if number > 0 {
+            block.radius = self.tools.iter().find(|tool| tool.0 == number).map(|tool| tool.1);
+        }
+        // [TRC-CANCEL-07]
+        if let (Some(side), None) = (self.asked, block.compensation) {
+            match (was_zero, self.offset_zero) {
+                (false, true) => block.compensation = Some(Compensation::Off),
+                (true, false) => block.compensation = Some(Compensation::On(side)),
+                _ => {}
+            }
+        }
+    }
+
+    /// Keeps the code in force; codes of a side do nothing while offset number 0 is. [TRC-CANCEL-07]
+    fn note_side(&mut self, block: &mut Block<f64>) {
+        match block.compensation {
+            Some(Compensation::On(side)) => {
+                self.asked = Some(side);
+                if self.offset_zero {
+                    block.compensation = None;
+                }
+            }
+            Some(Compensation::Off) if !self.offset_zero => self.asked = None,
+            _ => {}
+        }
+    }
+
+    fn read_movement(&mut self, word: &impl Fn(char) -> Option<f64>, block: &mut Block<f64>) {
         let mut any_axis = false;
         for (axis, letter) in AXES.chars().enumerate() {
             if let Some(value) = word(letter) {
                 any_axis = true;
-                let value = if letter == 'X' && self.lathe { value / 2.0 } else { value };
+                let value =
+                    if letter == 'X' && self.machine.x_words == Measure::Diameter { value / 2.0 } else { value };
                 self.position[axis] = if self.incremental { self.position[axis] + value } else { value };
             }
         }
         let moves = self.plane.iter().any(|letter| word(*letter).is_some());
         let end = self.plane.map(|letter| self.position[AXES.find(letter).unwrap()]);
         let has_centre = CENTRES.chars().any(|letter| word(letter).is_some());
-        let arc = self.motion >= 2 && words.iter().all(|word| *word != ('G', 4.0));
+        let arc = self.motion >= 2;
         let centre = self.plane.map(|letter| {
             let letter = CENTRES.chars().nth(AXES.find(letter).unwrap()).unwrap();
-            let halved = self.dummy_diameter && !arc && letter == 'I';
+            let halved = self.machine.dummy_first_axis == Measure::Diameter && !arc && letter == 'I';
             word(letter).unwrap_or(0.0) / if halved { 2.0 } else { 1.0 }
         });
         block.movement = if arc && (moves || has_centre) {
@@ -90,6 +167,5 @@ impl Reader {
         } else {
             Movement::None
         };
-        block
     }
 }

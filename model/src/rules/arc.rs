@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use radcomp_spec::parameters::Parameters;
+use radcomp_spec::parameters::{EqualRadius, Parameters};
 use radcomp_spec::{AlarmKind, Centre, DecisionKind, Direction, Side};
 use rug::Rational;
 
@@ -75,7 +75,11 @@ pub(crate) fn programmed(
     }
     // [TRC-ARC-07]
     let full = chord.is_zero();
-    Ok(Element { start: start.clone(), end, shape: Shape::Arc { centre, sense, start_radius, end_radius, full } })
+    Ok(Element {
+        start: start.clone(),
+        end,
+        shape: Shape::Arc { centre, sense, start_radius, end_radius, full, entry: None },
+    })
 }
 
 /// [TRC-ARC-01] `m + s·√(R² - q²/4)·perp(w)`, and [TRC-ARC-06].
@@ -121,20 +125,31 @@ pub(crate) fn whole_turn(
     judgement.decide(DecisionKind::WholeTurn, &off, off.clone()) == Ordering::Equal
 }
 
-/// [TRC-ARC-05]
+/// How an arc takes the tool on its inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Fit {
+    /// There is room, or the element is not such an arc.
+    Ordinary,
+    /// The tool stands at the arc's centre while the arc is run ([TRC-ARC-08]).
+    Point,
+}
+
+/// [TRC-ARC-05], [TRC-ARC-08]
 pub(crate) fn tool_fits(
     element: &Element,
     side: Side,
     radius: &Real,
+    equal: EqualRadius,
     judgement: &mut Judgement<'_>,
-) -> Result<(), AlarmKind> {
-    let Shape::Arc { sense, start_radius, end_radius, .. } = &element.shape else { return Ok(()) };
+) -> Result<Fit, AlarmKind> {
+    let Shape::Arc { sense, start_radius, end_radius, .. } = &element.shape else { return Ok(Fit::Ordinary) };
     if !tool_inside(*sense, side) {
-        return Ok(());
+        return Ok(Fit::Ordinary);
     }
     let spare = smaller(start_radius.clone(), end_radius.clone()) - radius;
     match judgement.decide(DecisionKind::ToolFitsArc, &spare, spare.clone()) {
-        Ordering::Greater => Ok(()),
+        Ordering::Greater => Ok(Fit::Ordinary),
+        Ordering::Equal if equal == EqualRadius::DegeneratePoint && start_radius == end_radius => Ok(Fit::Point),
         _ => Err(AlarmKind::RadiusTooSmall),
     }
 }

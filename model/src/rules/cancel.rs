@@ -1,19 +1,36 @@
-//! Cancel: `spec/clauses/06-cancel.md`.
+//! Cancel: `spec/clauses/06-cancel.md`. Offset number 0 ([TRC-CANCEL-07]) is the program reader's: its blocks hold the
+//! codes that they count as.
 
-use radcomp_spec::clause::{self, Clause};
-use radcomp_spec::parameters::Cancel;
+use radcomp_spec::clause;
+use radcomp_spec::parameters::{Cancel, StartUpB};
 
-use crate::engine::{Pending, PendingKind};
-use crate::geometry::Vector;
-use crate::number::Real;
+use super::corner;
+use super::junction::{Junction, Refused, Setting};
+use crate::decision::Judgement;
+use crate::element::Element;
+use crate::engine::Pending;
 
-/// [TRC-CANCEL-01] the block before G40 ends on its own normal; a start-up block too, [TRC-START-05].
-pub(crate) fn end_before_cancel(before: &Pending, radius: &Real, cancel: Cancel) -> (Clause, Vector) {
-    let clause = match before.kind {
-        PendingKind::StartUp => clause::TRC_START_05,
-        PendingKind::Offset => clause::TRC_CANCEL_01,
-    };
-    match cancel {
-        Cancel::TypeA => (clause, before.own_normal(radius)),
+/// The junction before a block with G40, which moves along `cancel` unless it is one without movement.
+pub(crate) fn junction(
+    before: &Pending,
+    cancel: Option<&Element>,
+    setting: Setting<'_>,
+    judgement: &mut Judgement<'_>,
+) -> Result<Junction, Refused> {
+    if before.starts_up() {
+        // [TRC-START-05]
+        return Ok(Junction::single(clause::TRC_START_05, before.own_normal(setting.radius)));
     }
+    // [TRC-CANCEL-05]; [TRC-CANCEL-03] type A, if the block does not move.
+    if let (Cancel::TypeB, Some(cancel)) = (setting.parameters.cancel, cancel) {
+        let after = cancel.first_arm();
+        let outer = corner::of_type_b(&before.element.last_arm(), &after, before.side, setting, judgement)?;
+        if let Some(outer) = outer {
+            let via = setting.parameters.start_up_b == StartUpB::ViaNormal;
+            let normal = via.then(|| after.normal(before.side, setting.radius));
+            return Ok(outer.junction_of_type_b(clause::TRC_CANCEL_05, None, normal));
+        }
+    }
+    // [TRC-CANCEL-01] the block before ends on its own normal.
+    Ok(Junction::single(clause::TRC_CANCEL_01, before.own_normal(setting.radius)))
 }

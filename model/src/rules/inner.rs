@@ -1,4 +1,4 @@
-//! Inner corners: [TRC-CORNER-03], [TRC-CORNER-04], [TRC-CORNER-05].
+//! Inner corners, and the common points of offset curves: [TRC-CORNER-03], [TRC-CORNER-04], [TRC-CORNER-05].
 
 use core::cmp::Ordering;
 
@@ -20,31 +20,81 @@ pub(crate) fn inner(
     radius: &Real,
     judgement: &mut Judgement<'_>,
 ) -> Result<Junction, Refused> {
-    let (clause, vector) = match (&before.circle, &after.circle) {
-        (None, None) => (clause::TRC_CORNER_03, mitre(before, after, side, radius).ok_or(Refused::Contradiction)?),
+    if before.circle.is_none() && after.circle.is_none() {
+        let vector = mitre(before, after, side, radius).ok_or(Refused::Contradiction)?;
+        return Ok(Junction::single(clause::TRC_CORNER_03, vector));
+    }
+    let vector = common_point(before, after, side, radius, Turning::Toward, judgement)?;
+    Ok(Junction::single(clause::TRC_CORNER_04, vector))
+}
+
+/// Which of the common points of two offset curves: the one at which the path turns to the tool's side
+/// ([TRC-CORNER-04]), or away from it ([TRC-CORNER-14]).
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Turning {
+    /// σ·cross(t1, t2) > 0.
+    Toward,
+    /// σ·cross(t1, t2) < 0.
+    Away,
+}
+
+impl Turning {
+    fn sign(self) -> i8 {
+        match self {
+            Turning::Toward => 1,
+            Turning::Away => -1,
+        }
+    }
+
+    fn decision(self) -> DecisionKind {
+        match self {
+            Turning::Toward => DecisionKind::OffsetsMeet,
+            Turning::Away => DecisionKind::ExtensionsMeet,
+        }
+    }
+}
+
+/// The common point of two offset curves, of which one at least is a circle. Curves that touch meet; those that do not
+/// raise the alarm of [TRC-CORNER-05].
+pub(crate) fn common_point(
+    before: &Arm,
+    after: &Arm,
+    side: Side,
+    radius: &Real,
+    turning: Turning,
+    judgement: &mut Judgement<'_>,
+) -> Result<Vector, Refused> {
+    let sign = turning.sign() * side_sign(side);
+    match (&before.circle, &after.circle) {
+        (None, None) => Err(Refused::Contradiction),
         (None, Some(circle)) => {
             let crossing = LineCircle::new(before, side, circle, side, radius);
-            crossing.must_meet(judgement)?;
-            // [TRC-CORNER-04] F + σ·δ·√(R'² - h²)·u1
-            let forward = sense_sign(circle.sense) == side_sign(side);
-            (clause::TRC_CORNER_04, crossing.point(forward))
+            must_meet(crossing.meet(turning.decision(), judgement))?;
+            // F + σ·δ·√(R'² - h²)·u1, and the other point when the path turns away.
+            Ok(crossing.point(sign * sense_sign(circle.sense) > 0))
         }
         (Some(circle), None) => {
             let crossing = LineCircle::new(after, side, circle, side, radius);
-            crossing.must_meet(judgement)?;
-            // [TRC-CORNER-04] F - σ·δ·√(R'² - h²)·u2
-            let forward = sense_sign(circle.sense) != side_sign(side);
-            (clause::TRC_CORNER_04, crossing.point(forward))
+            must_meet(crossing.meet(turning.decision(), judgement))?;
+            // F - σ·δ·√(R'² - h²)·u2, and the other point when the path turns away.
+            Ok(crossing.point(sign * sense_sign(circle.sense) < 0))
         }
         (Some(first), Some(second)) => {
             let crossing = CircleCircle::new(first, side, second, side, radius);
-            crossing.must_meet(judgement)?;
-            // [TRC-CORNER-04] C1 + a·e + σ·δ1·δ2·√(R1'² - a²)·perp(e)
-            let left = sense_sign(first.sense) * sense_sign(second.sense) * side_sign(side) > 0;
-            (clause::TRC_CORNER_04, crossing.point(left).ok_or(Refused::Contradiction)?)
+            must_meet(crossing.meet(turning.decision(), judgement))?;
+            // C1 + a·e + σ·δ1·δ2·√(R1'² - a²)·perp(e), and the other point when the path turns away.
+            let left = sign * sense_sign(first.sense) * sense_sign(second.sense) > 0;
+            crossing.point(left).ok_or(Refused::Contradiction)
         }
-    };
-    Ok(Junction::single(clause, vector))
+    }
+}
+
+/// [TRC-CORNER-05] Curves that touch meet.
+fn must_meet(meet: Ordering) -> Result<(), Refused> {
+    match meet {
+        Ordering::Less => Err(Refused::Alarm(AlarmKind::NoIntersection)),
+        _ => Ok(()),
+    }
 }
 
 fn side_sign(side: Side) -> i8 {
@@ -85,14 +135,6 @@ impl LineCircle {
         }
     }
 
-    /// [TRC-CORNER-05] Curves that touch meet.
-    fn must_meet(&self, judgement: &mut Judgement<'_>) -> Result<(), Refused> {
-        match self.meet(DecisionKind::OffsetsMeet, judgement) {
-            Ordering::Less => Err(Refused::Alarm(AlarmKind::NoIntersection)),
-            _ => Ok(()),
-        }
-    }
-
     pub(crate) fn meet(&self, kind: DecisionKind, judgement: &mut Judgement<'_>) -> Ordering {
         judgement.decide(kind, &self.discriminant, self.overlap.clone())
     }
@@ -129,14 +171,6 @@ impl CircleCircle {
             second_squared: r2.square(),
             overlap: smaller(&(&r1 + &r2) - &distance, &distance - &(&r1 - &r2).abs()),
             axis,
-        }
-    }
-
-    /// [TRC-CORNER-05]
-    fn must_meet(&self, judgement: &mut Judgement<'_>) -> Result<(), Refused> {
-        match self.meet(DecisionKind::OffsetsMeet, judgement) {
-            Ordering::Less => Err(Refused::Alarm(AlarmKind::NoIntersection)),
-            _ => Ok(()),
         }
     }
 

@@ -17,8 +17,10 @@ pub(crate) struct Junction {
     pub(crate) clause: Clause,
     /// The vector that the element before ends on.
     pub(crate) first: Vector,
-    /// The moves from there, none of zero length.
+    /// The corner moves from there, none of zero length ([TRC-CORNER-12]).
     pub(crate) moves: Vec<Segment<Real>>,
+    /// The straight move after them that the second block owns in any case ([TRC-SIDE-06]).
+    pub(crate) approach: Option<Segment<Real>>,
 }
 
 /// Why a junction has no vectors.
@@ -36,12 +38,14 @@ pub(crate) struct Setting<'a> {
     pub(crate) parameters: &'a Parameters,
     pub(crate) radius: &'a Real,
     pub(crate) outer_corner: OuterCorner,
+    /// The block that owns the corner moves runs at rapid rate.
+    pub(crate) owner_rapid: bool,
 }
 
 impl Junction {
     /// A junction with one vector.
     pub(crate) fn single(clause: Clause, vector: Vector) -> Self {
-        Junction { clause, first: vector, moves: Vec::new() }
+        Junction { clause, first: vector, moves: Vec::new(), approach: None }
     }
 
     /// A junction whose vectors are joined by straight moves; moves of no length are not made ([TRC-CORNER-12]).
@@ -56,7 +60,7 @@ impl Junction {
                 last = vector;
             }
         }
-        Junction { clause, first, moves }
+        Junction { clause, first, moves, approach: None }
     }
 }
 

@@ -18,6 +18,8 @@ pub(crate) enum Settled {
     Lost { normal: Vector },
     /// A dummy block stood for the next element, with this unit direction ([TRC-DUMMY-02]).
     Dummy { direction: Vector },
+    /// The code of the side in force was given again ([TRC-MODE-05]).
+    SameCode,
 }
 
 /// Where the element after a settled junction starts: a line where the tool stands ([TRC-LOOK-04]), an arc on its own
@@ -39,7 +41,7 @@ pub(crate) fn resume(
             if judgement.decide(DecisionKind::LineInForward, &along, along.clone()) == Ordering::Less {
                 judgement.advise(AdvisoryKind::LineInBackwards, line_in.length());
             }
-            Junction { clause: clause::TRC_LOOK_05, first: tool.clone(), moves }
+            Junction { clause: clause::TRC_LOOK_05, first: tool.clone(), moves, approach: None }
         }
     }
 }
@@ -50,6 +52,7 @@ pub(crate) fn advise(settled: &Settled, next: &Element, side: Side, radius: &Rea
     let unit = next.first_arm().unit();
     let (kind, cosine) = match settled {
         Settled::Lost { normal } => (AdvisoryKind::LostLookAhead, normal.dot(&unit.toward(side))),
+        Settled::SameCode => return,
         Settled::Dummy { direction } => (AdvisoryKind::DummyMismatch, direction.dot(&unit)),
     };
     let amount = radius * &(Real::one() - cosine);

@@ -8,6 +8,8 @@ pub(crate) mod inner;
 pub(crate) mod junction;
 pub(crate) mod look_ahead;
 pub(crate) mod mode;
+pub(crate) mod outer;
 pub(crate) mod side_change;
 pub(crate) mod start_up;
+pub(crate) mod tip;
 pub(crate) mod wedge;

@@ -1,7 +1,7 @@
 //! Modes, codes and alarms: `spec/clauses/02-mode.md`.
 
-use radcomp_spec::parameters::Ratio;
-use radcomp_spec::{Block, Centre, Movement};
+use radcomp_spec::parameters::{NegativeRadius, Ratio};
+use radcomp_spec::{Block, Centre, Compensation, Movement, Side};
 use rug::Rational;
 
 use crate::number::Real;
@@ -14,11 +14,12 @@ pub(crate) fn ratio(ratio: Ratio) -> Real {
     Real::rational(Rational::from((ratio.numerator, ratio.denominator)))
 }
 
-/// [TRC-MODE-07]
-pub(crate) fn in_range(block: &Block<Rational>) -> bool {
+/// [TRC-MODE-07] The movement words of a block that raises an alarm of [TRC-MODE-08] are not looked at.
+pub(crate) fn in_range(block: &Block<Rational>, negative_radius: NegativeRadius) -> bool {
     let within = |value: &Rational| *value <= LIMIT && *value >= -i64::from(LIMIT);
     let point = |point: &[Rational; 2]| point.iter().all(within);
     let movement = match &block.movement {
+        _ if block.not_in_mode.is_some() => true,
         Movement::None => true,
         Movement::Line { end } => point(end),
         Movement::Dummy { vector } => point(vector),
@@ -30,5 +31,40 @@ pub(crate) fn in_range(block: &Block<Rational>) -> bool {
                 }
         }
     };
-    movement && block.radius.as_ref().is_none_or(|radius| within(radius) && *radius >= 0)
+    let allowed = |radius: &Rational| negative_radius == NegativeRadius::SwapsSides || *radius >= 0;
+    movement && block.radius.as_ref().is_none_or(|radius| within(radius) && allowed(radius))
+}
+
+/// The tool offset in force: the sum of geometry and wear, which the program reader forms ([TRC-TIP-02]).
+#[derive(Clone, Debug)]
+pub(crate) struct Offset {
+    /// The tool radius r, never negative.
+    pub(crate) radius: Real,
+    /// The offset is negative, and the sides are exchanged ([TRC-SIDE-07]).
+    negative: bool,
+}
+
+impl Offset {
+    /// The offset before the first one of a program.
+    pub(crate) fn none() -> Self {
+        Offset { radius: Real::zero(), negative: false }
+    }
+
+    /// An offset as the program gives it.
+    pub(crate) fn read(value: &Rational, number: fn(&Rational) -> Real) -> Self {
+        let negative = *value < 0;
+        let value = number(value);
+        Offset { radius: if negative { -value } else { value }, negative }
+    }
+
+    /// The side on which the tool runs under a code.
+    pub(crate) fn side(&self, code: Side) -> Side {
+        if self.negative { code.other() } else { code }
+    }
+}
+
+/// Whether a block gives the code of the side in force again; asked of the code, not of the side ([TRC-MODE-05],
+/// [TRC-SIDE-07]).
+pub(crate) fn same_code(block: &Block<Rational>, in_force: Option<Side>) -> bool {
+    matches!(block.compensation, Some(Compensation::On(code)) if in_force == Some(code))
 }

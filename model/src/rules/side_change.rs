@@ -7,7 +7,7 @@ use radcomp_spec::parameters::{Parameters, SideChange, SideChangeAfterStartUp};
 use radcomp_spec::{AlarmKind, DecisionKind, Side};
 
 use super::inner::{CircleCircle, LineCircle};
-use super::junction::{Junction, Refused, Setting};
+use super::junction::{Junction, Refused, Setting, line_to};
 use crate::decision::Judgement;
 use crate::element::{Arm, Element, Shape};
 use crate::geometry::{Vector, larger, signed, smaller};
@@ -45,23 +45,40 @@ pub(crate) fn side_change(
     judgement: &mut Judgement<'_>,
 ) -> Result<Junction, Refused> {
     let (arm_before, arm_after) = (before.last_arm(), after.first_arm());
-    if setting.parameters.side_change == SideChange::IntersectionWithin {
-        let candidates = contacts(&arm_before, side_before, &arm_after, side_after, setting.radius, judgement)?;
-        let mut counting = Vec::with_capacity(2);
-        for point in candidates {
-            if within(&point, before, side_before, setting.radius, judgement)
-                && within(&point, after, side_after, setting.radius, judgement)
-            {
-                counting.push(point);
-            }
-        }
-        if let Some(point) = nearer(counting, &arm_before.point, judgement) {
-            return Ok(Junction::single(clause::TRC_SIDE_02, point));
+    let (normal_before, normal_after) =
+        (arm_before.normal(side_before, setting.radius), arm_after.normal(side_after, setting.radius));
+    let (clause, everywhere) = match setting.parameters.side_change {
+        SideChange::IntersectionWithin => (clause::TRC_SIDE_02, false),
+        // [TRC-SIDE-05] wherever the contact lies.
+        SideChange::Intersection => (clause::TRC_SIDE_05, true),
+        SideChange::Crossing => return Ok(crossing(normal_before, &normal_after, after)),
+        SideChange::TwoNormals | SideChange::Forbidden => return Ok(two_normals(normal_before, normal_after)),
+    };
+    let mut counting = Vec::with_capacity(2);
+    for point in contacts(&arm_before, side_before, &arm_after, side_after, setting.radius, judgement)? {
+        if everywhere
+            || (within(&point, before, side_before, setting.radius, judgement)
+                && within(&point, after, side_after, setting.radius, judgement))
+        {
+            counting.push(point);
         }
     }
-    // [TRC-SIDE-03] the two normals, joined by a straight line.
-    let vectors = vec![arm_before.normal(side_before, setting.radius), arm_after.normal(side_after, setting.radius)];
-    Ok(Junction::through(clause::TRC_SIDE_03, vectors))
+    Ok(match nearer(counting, &arm_before.point, judgement) {
+        Some(point) => Junction::single(clause, point),
+        None => two_normals(normal_before, normal_after),
+    })
+}
+
+/// [TRC-SIDE-03] the two normals, joined by a straight line.
+fn two_normals(before: Vector, after: Vector) -> Junction {
+    Junction::through(clause::TRC_SIDE_03, vec![before, after])
+}
+
+/// [TRC-SIDE-06] the old normal alone; an arc is approached from there.
+fn crossing(normal_before: Vector, normal_after: &Vector, after: &Element) -> Junction {
+    let approaches = after.is_arc() && normal_before != *normal_after;
+    let approach = approaches.then(|| line_to(normal_after));
+    Junction { clause: clause::TRC_SIDE_06, first: normal_before, moves: Vec::new(), approach }
 }
 
 /// The points where the tool touches both contours, each on its own side ([TRC-SIDE-02]): at most two.
@@ -129,18 +146,26 @@ fn within(point: &Vector, element: &Element, side: Side, radius: &Real, judgemen
             let along = element.first_arm().unit().dot(&point.minus(&element.start));
             smaller(&along + radius, &(length + radius) - &along)
         }
-        Shape::Arc { centre, sense, full, .. } => {
-            let (first, last) = (element.first_arm(), element.last_arm());
+        Shape::Arc { centre, sense, full, entry, .. } => {
             let inside = {
-                let programmed = Sweep::between(&element.start.minus(centre), &element.end.minus(centre), *sense);
-                let here = Sweep::between(&element.start.minus(centre), &point.minus(centre), *sense);
-                *full || programmed.is_none() || here.compare(&programmed) != Ordering::Greater
+                let (centre, start, end) = match entry.as_deref() {
+                    Some(entry) => (&entry.centre, &entry.start, &entry.end),
+                    None => (centre, &element.start, &element.end),
+                };
+                let programmed = Sweep::between(&start.minus(centre), &end.minus(centre), *sense);
+                let here = Sweep::between(&start.minus(centre), &point.minus(centre), *sense);
+                let whole = *full && entry.is_none();
+                whole || programmed.is_none() || here.compare(&programmed) != Ordering::Greater
             };
             if inside {
                 radius.clone()
             } else {
-                let from_end = |arm: &Arm| arm.normal(side, radius).minus(point).length();
-                radius - &smaller(from_end(&first), from_end(&last))
+                let from_end = |normal: &Vector| normal.minus(point).length();
+                let from_start = match entry.as_deref() {
+                    Some(entry) => from_end(&entry.start),
+                    None => from_end(&element.first_arm().normal(side, radius)),
+                };
+                radius - &smaller(from_start, from_end(&element.last_arm().normal(side, radius)))
             }
         }
     };

@@ -12,12 +12,13 @@ use crate::geometry::{Vector, smaller};
 use crate::number::Real;
 use crate::sweep::{Sweep, differ_by_more_than_half_turn};
 
-/// Looks at one compensated block when the centre's positions at its start and end are settled.
+/// Looks at one compensated block when the centre's positions at its start and end are settled. An arc is exempt when
+/// it is run as a full circle, and when the tool stands at its centre meanwhile ([TRC-ARC-08]).
 pub(crate) fn forward(
     element: &Element,
     start: &Vector,
     end: &Vector,
-    whole_circle: bool,
+    exempt: bool,
     parameters: &Parameters,
     judgement: &mut Judgement<'_>,
 ) -> Result<(), AlarmKind> {
@@ -31,7 +32,7 @@ pub(crate) fn forward(
             }
             (AdvisoryKind::ReversedLine, AlarmKind::ReversedLine, margin.abs())
         }
-        Shape::Arc { .. } if whole_circle => return Ok(()),
+        Shape::Arc { .. } if exempt => return Ok(()),
         Shape::Arc { .. } => {
             // [TRC-WEDGE-03]
             let (exact, margin) = arc_margin(element, start, end);
@@ -53,10 +54,12 @@ pub(crate) fn forward(
 /// The exact answer for an arc, and how far its nearer boundary lies: where the tool's start and end are one point, or
 /// where the two sweeps differ by exactly a half turn.
 fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Ordering, Real) {
-    let Shape::Arc { centre, sense, full, .. } = &element.shape else {
+    let Shape::Arc { centre, sense, full, entry, .. } = &element.shape else {
         return (Ordering::Greater, Real::zero());
     };
-    let (from, to) = (start.minus(centre), end.minus(centre));
+    // [TRC-START-09] the tool's sweep is measured about the moved centre. [TRC-SIDE-08] T is less than a full turn.
+    let tool_centre = entry.as_deref().map_or(centre, |entry| &entry.centre);
+    let (from, to) = (start.minus(tool_centre), end.minus(tool_centre));
     let tool = Sweep::between(&from, &to, *sense);
     let programmed = Sweep::between(&element.start.minus(centre), &element.end.minus(centre), *sense);
     let backwards = differ_by_more_than_half_turn(&tool, &programmed, *full);
@@ -81,4 +84,51 @@ fn off_axis(direction: &Vector, reach: &Real) -> Real {
     }
     let sine = direction.b.abs().checked_div(&direction.length()).unwrap_or_else(Real::zero);
     &sine * reach
+}
+
+#[cfg(test)]
+mod tests {
+    use radcomp_spec::Direction;
+    use radcomp_spec::profile::Profile;
+
+    use super::*;
+    use crate::decision::Sink;
+    use crate::element::EntryArc;
+
+    struct Silent;
+
+    impl Sink for Silent {}
+
+    fn point(a: (i64, i64), b: (i64, i64)) -> Vector {
+        Vector::new(Real::rational(a.into()), Real::rational(b.into()))
+    }
+
+    /// An entry from (-14/5, -2/5) to (0, 1) about (0, -5/2), for an arc about (0, -10). From there to (0, -6) the tool
+    /// sweeps 233° about the moved centre, but no more than the program, 16°, about the programmed one.
+    #[test]
+    fn an_entry_sweeps_about_its_moved_centre() {
+        let (start, end) = (point((-14, 5), (-2, 5)), point((0, 1), (0, 1)));
+        let radius = Real::integer(10);
+        let entry = EntryArc {
+            start: start.clone(),
+            centre: point((0, 1), (-5, 2)),
+            radius: Real::rational((7, 2).into()),
+            end: point((0, 1), (1, 1)),
+        };
+        let shape = Shape::Arc {
+            centre: point((0, 1), (-10, 1)),
+            sense: Direction::Clockwise,
+            start_radius: radius.clone(),
+            end_radius: radius,
+            full: false,
+            entry: Some(Box::new(entry)),
+        };
+        let element = Element { start: start.clone(), end, shape };
+        let mut parameters = Profile::builtin("seed-mill").unwrap().parameters;
+        parameters.reversed_path = ReversedPath::Alarm;
+        let judgement = &mut Judgement { sink: &mut Silent, block: 0 };
+        let mut looked_at = |to: Vector| forward(&element, &start, &to, false, &parameters, judgement);
+        assert_eq!(looked_at(point((0, 1), (-6, 1))), Err(AlarmKind::ReversedArc));
+        assert_eq!(looked_at(point((0, 1), (1, 1))), Ok(()));
+    }
 }

@@ -8,10 +8,7 @@ use toml::de::{DeTable, DeValue};
 use super::error::{ProfileError, ProfileErrorKind, shown};
 use super::table::{PARAMETERS, Parameter, Values};
 use super::{BUILTIN, Machine, Profile, Provenance};
-use crate::parameters::{
-    Activation, Cancel, CornerCodes, CornerOwner, Dummy, Measure, OuterCorner, Parameters, Plane, Ratio, Reversal,
-    ReversedPath, SideChange, SideChangeAfterStartUp, StartUp, StartUpLost,
-};
+use crate::parameters::*;
 
 /// Reads a file that is not built in, and so may not pass for one that is.
 pub(super) fn read_foreign(text: &str, file: &str) -> Result<Profile, ProfileError> {
@@ -30,13 +27,13 @@ pub(super) fn read(text: &str, file: &str) -> Result<Profile, ProfileError> {
 }
 
 /// A file that is being read.
-struct Source<'a> {
-    text: &'a str,
+pub(super) struct Source<'a> {
+    pub(super) text: &'a str,
     file: &'a str,
 }
 
 /// A table whose keys and values have places.
-type Table<'a> = DeTable<'a>;
+pub(super) type Table<'a> = DeTable<'a>;
 
 impl Source<'_> {
     /// The profile, and where its name stands.
@@ -46,7 +43,7 @@ impl Source<'_> {
             self.error(error.span().unwrap_or_default(), kind)
         })?;
         let root = document.get_ref();
-        self.known(root, "", &["name", "title", "extends", "machine", "activation", "compensation"])?;
+        self.known(root, "", &["name", "title", "extends", "machine", "activation", "compensation", "tips", "alarms"])?;
         let whole = 0..0;
         let name = self.text_of(root, "name", "name", "lower-case letters, digits and hyphens, in quotes", &whole)?;
         let title = self.text_of(root, "title", "title", "a text in quotes", &whole)?;
@@ -59,9 +56,10 @@ impl Source<'_> {
         let place = name.span();
         profile.name = name.into_inner().to_owned();
         profile.title = title.into_inner().to_owned();
-        for table in ["machine", "activation", "compensation"] {
+        for table in ["machine", "activation", "compensation", "tips"] {
             self.table(root, table, &mut profile)?;
         }
+        self.alarms(root, &mut profile)?;
         Ok((profile, place))
     }
 
@@ -102,6 +100,17 @@ impl Source<'_> {
         Ok(())
     }
 
+    /// The source tags at the key `source`.
+    pub(super) fn source_of(&self, table: &Table<'_>, key: &str, place: &Range<usize>) -> Result<String, ProfileError> {
+        let tags = "source tags in quotes, such as \"D\"";
+        let source = self.text_of(table, "source", &format!("{key}.source"), tags, place)?;
+        if !source.get_ref().split(',').all(|tag| is_source_tag(tag.trim())) {
+            let found = shown(&self.text[source.span()]);
+            return Err(self.error(source.span(), ProfileErrorKind::WrongSource { key: key.to_owned(), found }));
+        }
+        Ok(source.into_inner().to_owned())
+    }
+
     /// Reads one parameter: `{ value = …, source = "…", clause = "…" }`.
     fn parameter(
         &self,
@@ -125,12 +134,7 @@ impl Source<'_> {
         let Some(written) = assign(parameter, value.get_ref(), profile) else {
             return Err(self.wrong(value.span(), key, &parameter.allowed()));
         };
-        let tags = "source tags in quotes, such as \"D\"";
-        let source = self.text_of(table, "source", &format!("{key}.source"), tags, &given.span())?;
-        if !source.get_ref().split(',').all(|tag| is_source_tag(tag.trim())) {
-            let found = shown(&self.text[source.span()]);
-            return Err(self.error(source.span(), ProfileErrorKind::WrongSource { key: key.to_owned(), found }));
-        }
+        let source = self.source_of(table, key, &given.span())?;
         let expected = parameter.clause;
         let id = format!("{:?}", expected.id());
         let clause = self.text_of(table, "clause", &format!("{key}.clause"), &id, &given.span())?;
@@ -140,8 +144,7 @@ impl Source<'_> {
                 self.error(clause.span(), ProfileErrorKind::WrongClause { key: key.to_owned(), found, expected })
             );
         }
-        let entry =
-            Provenance { parameter: key, value: written, source: source.into_inner().to_owned(), clause: expected };
+        let entry = Provenance { parameter: key, value: written, source, clause: expected };
         match profile.provenance.iter_mut().find(|entry| entry.parameter == key) {
             Some(inherited) => *inherited = entry,
             None => profile.provenance.push(entry),
@@ -150,7 +153,7 @@ impl Source<'_> {
     }
 
     /// Refuses keys other than these; of several the first in the file.
-    fn known(&self, table: &Table<'_>, key: &str, names: &[&str]) -> Result<(), ProfileError> {
+    pub(super) fn known(&self, table: &Table<'_>, key: &str, names: &[&str]) -> Result<(), ProfileError> {
         let unknown = table.keys().filter(|name| !names.contains(&&**name.get_ref()));
         let Some(first) = unknown.min_by_key(|name| name.span().start) else { return Ok(()) };
         let dot = if key.is_empty() { "" } else { "." };
@@ -160,7 +163,7 @@ impl Source<'_> {
     }
 
     /// The text at a key that must be there.
-    fn text_of<'t>(
+    pub(super) fn text_of<'t>(
         &self,
         table: &'t Table<'_>,
         name: &str,
@@ -173,11 +176,11 @@ impl Source<'_> {
         Ok(Spanned::new(value.span(), text))
     }
 
-    fn missing(&self, place: &Range<usize>, key: &str, allowed: &str) -> ProfileError {
+    pub(super) fn missing(&self, place: &Range<usize>, key: &str, allowed: &str) -> ProfileError {
         self.error(place.clone(), ProfileErrorKind::Missing { key: key.to_owned(), allowed: allowed.to_owned() })
     }
 
-    fn wrong(&self, span: Range<usize>, key: &str, allowed: &str) -> ProfileError {
+    pub(super) fn wrong(&self, span: Range<usize>, key: &str, allowed: &str) -> ProfileError {
         let found = shown(self.text.get(span.clone()).unwrap_or_default());
         let kind = ProfileErrorKind::WrongValue { key: key.to_owned(), found, allowed: allowed.to_owned() };
         self.error(span, kind)
@@ -196,10 +199,20 @@ fn assign(parameter: &Parameter, value: &DeValue<'_>, profile: &mut Profile) -> 
             set(profile, word).then(|| word.to_owned())
         }
         Values::Count { most, field } => {
+            if value.as_str() == Some("unbounded") {
+                *field(profile) = None;
+                return Some("unbounded".to_owned());
+            }
             let integer = value.as_integer()?;
             let number = u8::from_str_radix(integer.as_str(), integer.radix()).ok().filter(|number| number <= most)?;
-            *field(profile) = number;
+            *field(profile) = Some(number);
             Some(format!("{number}"))
+        }
+        Values::Cosine { field } => {
+            let text = value.as_str()?;
+            let ratio = parse_ratio(text).filter(|ratio| ratio.numerator <= ratio.denominator)?;
+            *field(profile) = ratio;
+            Some(text.to_owned())
         }
         Values::Decimal { positive, field } => {
             let text = value.as_str()?;
@@ -245,6 +258,14 @@ fn blank() -> Profile {
             dummy: Dummy::None,
             dummy_first_axis: Measure::Radius,
             corner_codes: CornerCodes::None,
+            plane_change: InMode::Unsupported,
+            reference_return: InMode::Unsupported,
+            machine_coordinates: InMode::Unsupported,
+            set_coordinates: InMode::Unsupported,
+            tool_change: ToolChange::Unsupported,
+            canned_cycle: InMode::Unsupported,
+            read_ahead_stop: ReadAheadStop::NoMovement,
+            offset_zero: OffsetZero::Refused,
         },
         activation: [Activation::Absent; 5],
         parameters: Parameters {
@@ -255,12 +276,28 @@ fn blank() -> Profile {
             reversal: Reversal::Alarm,
             side_change: SideChange::Forbidden,
             side_change_after_start_up: SideChangeAfterStartUp::Alarm,
-            non_moving_allowed: 0,
+            non_moving_allowed: Some(0),
             corner_owner: CornerOwner::Next,
             reversed_path: ReversedPath::Alarm,
             arc_end_tolerance: none,
             far_intersection: none,
+            start_up_b: StartUpB::Direct,
+            start_up_without_movement: StartUpWithoutMovement::None,
+            start_up_arc: StartUpArc::Alarm,
+            cancel_without_movement: CancelWithoutMovement::None,
+            corner_limit_cosine: none,
+            arc_extension: ArcExtension::Tangent,
+            smallest_corner_cosine: none,
+            straight_band_cosine: none,
+            arc_on_rapid: ArcOnRapid::Arc,
+            small_vector_limit: none,
+            same_code: SameCode::Alarm,
+            negative_radius: NegativeRadius::Alarm,
+            equal_radius: EqualRadius::Alarm,
+            zero_length_move: ZeroLengthMove::NoMovement,
         },
+        tips: [Tip::Absent; 10],
+        alarms: Vec::new(),
         provenance: Vec::new(),
     }
 }

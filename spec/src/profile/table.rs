@@ -1,10 +1,7 @@
 //! The one table of profile parameters: what a file may say, and where its value goes.
 
 use crate::clause::{self, Clause};
-use crate::parameters::{
-    Activation, Cancel, CornerCodes, CornerOwner, Dummy, MOST_NON_MOVING, Measure, OuterCorner, Plane, Ratio, Reversal,
-    ReversedPath, SideChange, SideChangeAfterStartUp, StartUp, StartUpLost,
-};
+use crate::parameters::*;
 use crate::profile::Profile;
 
 /// A parameter of a profile.
@@ -28,12 +25,17 @@ pub(super) enum Values {
         /// Puts the value that a word names into its field; false if no value has that name.
         set: fn(&mut Profile, &str) -> bool,
     },
-    /// A whole number from 0.
+    /// A whole number from 0, or `"unbounded"`.
     Count {
-        /// The greatest.
+        /// The greatest number.
         most: u8,
+        /// Its field; none is unbounded.
+        field: fn(&mut Profile) -> &mut Option<u8>,
+    },
+    /// A decimal from 0 to 1, written as a string so that it stays exact.
+    Cosine {
         /// Its field.
-        field: fn(&mut Profile) -> &mut u8,
+        field: fn(&mut Profile) -> &mut Ratio,
     },
     /// A decimal, written as a string so that it stays exact.
     Decimal {
@@ -45,7 +47,7 @@ pub(super) enum Values {
 }
 
 impl Parameter {
-    /// The table of the file that the parameter stands in: `machine`, `activation` or `compensation`.
+    /// The table of the file that the parameter stands in: `machine`, `activation`, `compensation` or `tips`.
     pub fn table(&self) -> &'static str {
         self.key.split_once('.').map_or(self.key, |(table, _)| table)
     }
@@ -59,7 +61,8 @@ impl Parameter {
     pub fn allowed(&self) -> String {
         match &self.values {
             Values::Word { words, .. } => words().iter().map(|word| format!("{word:?}")).collect::<Vec<_>>().join(", "),
-            Values::Count { most, .. } => format!("a whole number from 0 to {most}"),
+            Values::Count { most, .. } => format!("a whole number from 0 to {most}, or \"unbounded\""),
+            Values::Cosine { .. } => "a decimal in quotes, from 0 to 1, such as \"0.5\"".to_owned(),
             Values::Decimal { positive, .. } => {
                 let least = if *positive { "greater than 0" } else { "0 or greater" };
                 format!("a decimal in quotes, {least}, such as \"0.001\"")
@@ -121,6 +124,54 @@ pub const PARAMETERS: &[Parameter] = &[
         meaning: "codes that choose the outer corner",
         clause: clause::TRC_CORNER_11,
         values: word!(CornerCodes, machine.corner_codes),
+    },
+    Parameter {
+        key: "machine.plane-change",
+        meaning: "a change of plane in mode",
+        clause: clause::TRC_MODE_08,
+        values: word!(InMode, machine.plane_change),
+    },
+    Parameter {
+        key: "machine.reference-return",
+        meaning: "G28, G29 and G30 in mode",
+        clause: clause::TRC_MODE_08,
+        values: word!(InMode, machine.reference_return),
+    },
+    Parameter {
+        key: "machine.machine-coordinates",
+        meaning: "G53 in mode",
+        clause: clause::TRC_MODE_08,
+        values: word!(InMode, machine.machine_coordinates),
+    },
+    Parameter {
+        key: "machine.set-coordinates",
+        meaning: "G92, or G50 of a lathe, in mode",
+        clause: clause::TRC_MODE_08,
+        values: word!(InMode, machine.set_coordinates),
+    },
+    Parameter {
+        key: "machine.tool-change",
+        meaning: "M06 in mode",
+        clause: clause::TRC_MODE_08,
+        values: word!(ToolChange, machine.tool_change),
+    },
+    Parameter {
+        key: "machine.canned-cycle",
+        meaning: "canned cycles in mode",
+        clause: clause::TRC_MODE_08,
+        values: word!(InMode, machine.canned_cycle),
+    },
+    Parameter {
+        key: "machine.read-ahead-stop",
+        meaning: "M00, M01, M02 and M30 in mode",
+        clause: clause::TRC_LOOK_08,
+        values: word!(ReadAheadStop, machine.read_ahead_stop),
+    },
+    Parameter {
+        key: "machine.offset-zero",
+        meaning: "offset number 0",
+        clause: clause::TRC_CANCEL_07,
+        values: word!(OffsetZero, machine.offset_zero),
     },
     Parameter {
         key: "activation.G40",
@@ -223,5 +274,149 @@ pub const PARAMETERS: &[Parameter] = &[
         meaning: "distance of an intersection that is advised, in tool radii",
         clause: clause::TRC_WEDGE_01,
         values: Values::Decimal { positive: false, field: |profile| &mut profile.parameters.far_intersection },
+    },
+    Parameter {
+        key: "compensation.start-up-b",
+        meaning: "what type B passes besides the corner",
+        clause: clause::TRC_START_06,
+        values: word!(StartUpB, parameters.start_up_b),
+    },
+    Parameter {
+        key: "compensation.start-up-without-movement",
+        meaning: "start-up code in a block without movement",
+        clause: clause::TRC_START_08,
+        values: word!(StartUpWithoutMovement, parameters.start_up_without_movement),
+    },
+    Parameter {
+        key: "compensation.start-up-arc",
+        meaning: "arc as start-up block",
+        clause: clause::TRC_START_09,
+        values: word!(StartUpArc, parameters.start_up_arc),
+    },
+    Parameter {
+        key: "compensation.cancel-without-movement",
+        meaning: "G40 in a block without movement",
+        clause: clause::TRC_CANCEL_06,
+        values: word!(CancelWithoutMovement, parameters.cancel_without_movement),
+    },
+    Parameter {
+        key: "compensation.corner-limit-cosine",
+        meaning: "cosine of the smallest angle α that `limit-angle` forms by intersection",
+        clause: clause::TRC_CORNER_13,
+        values: Values::Cosine { field: |profile| &mut profile.parameters.corner_limit_cosine },
+    },
+    Parameter {
+        key: "compensation.arc-extension",
+        meaning: "what stands for an arc beyond its end at an outer corner",
+        clause: clause::TRC_CORNER_14,
+        values: word!(ArcExtension, parameters.arc_extension),
+    },
+    Parameter {
+        key: "compensation.smallest-corner-cosine",
+        meaning: "cosine of the angle α below which type B passes a single vector; 0 is none",
+        clause: clause::TRC_CORNER_15,
+        values: Values::Cosine { field: |profile| &mut profile.parameters.smallest_corner_cosine },
+    },
+    Parameter {
+        key: "compensation.straight-band-cosine",
+        meaning: "cosine of the turn up to which a corner counts as straight; 0 is none",
+        clause: clause::TRC_CORNER_16,
+        values: Values::Cosine { field: |profile| &mut profile.parameters.straight_band_cosine },
+    },
+    Parameter {
+        key: "compensation.arc-on-rapid",
+        meaning: "outer corner by an arc that a rapid block owns",
+        clause: clause::TRC_CORNER_17,
+        values: word!(ArcOnRapid, parameters.arc_on_rapid),
+    },
+    Parameter {
+        key: "compensation.small-vector-limit",
+        meaning: "coordinate difference of corner vectors that is ignored, in millimetres; 0 is none",
+        clause: clause::TRC_CORNER_18,
+        values: Values::Decimal { positive: false, field: |profile| &mut profile.parameters.small_vector_limit },
+    },
+    Parameter {
+        key: "compensation.same-code",
+        meaning: "code of the side in force, given again",
+        clause: clause::TRC_MODE_05,
+        values: word!(SameCode, parameters.same_code),
+    },
+    Parameter {
+        key: "compensation.negative-radius",
+        meaning: "negative tool radius",
+        clause: clause::TRC_SIDE_07,
+        values: word!(NegativeRadius, parameters.negative_radius),
+    },
+    Parameter {
+        key: "compensation.equal-radius",
+        meaning: "arc whose radius is the tool radius, tool inside",
+        clause: clause::TRC_ARC_08,
+        values: word!(EqualRadius, parameters.equal_radius),
+    },
+    Parameter {
+        key: "compensation.zero-length-move",
+        meaning: "straight move of length zero in mode",
+        clause: clause::TRC_LOOK_07,
+        values: word!(ZeroLengthMove, parameters.zero_length_move),
+    },
+    Parameter {
+        key: "tips.T0",
+        meaning: "imaginary tip of orientation 0, as signs of (a, b)",
+        clause: clause::TRC_TIP_01,
+        values: word!(Tip, tips[0]),
+    },
+    Parameter {
+        key: "tips.T1",
+        meaning: "imaginary tip of orientation 1, as signs of (a, b)",
+        clause: clause::TRC_TIP_01,
+        values: word!(Tip, tips[1]),
+    },
+    Parameter {
+        key: "tips.T2",
+        meaning: "imaginary tip of orientation 2, as signs of (a, b)",
+        clause: clause::TRC_TIP_01,
+        values: word!(Tip, tips[2]),
+    },
+    Parameter {
+        key: "tips.T3",
+        meaning: "imaginary tip of orientation 3, as signs of (a, b)",
+        clause: clause::TRC_TIP_01,
+        values: word!(Tip, tips[3]),
+    },
+    Parameter {
+        key: "tips.T4",
+        meaning: "imaginary tip of orientation 4, as signs of (a, b)",
+        clause: clause::TRC_TIP_01,
+        values: word!(Tip, tips[4]),
+    },
+    Parameter {
+        key: "tips.T5",
+        meaning: "imaginary tip of orientation 5, as signs of (a, b)",
+        clause: clause::TRC_TIP_01,
+        values: word!(Tip, tips[5]),
+    },
+    Parameter {
+        key: "tips.T6",
+        meaning: "imaginary tip of orientation 6, as signs of (a, b)",
+        clause: clause::TRC_TIP_01,
+        values: word!(Tip, tips[6]),
+    },
+    Parameter {
+        key: "tips.T7",
+        meaning: "imaginary tip of orientation 7, as signs of (a, b)",
+        clause: clause::TRC_TIP_01,
+        values: word!(Tip, tips[7]),
+    },
+    Parameter {
+        key: "tips.T8",
+        meaning: "imaginary tip of orientation 8, as signs of (a, b)",
+        clause: clause::TRC_TIP_01,
+        values: word!(Tip, tips[8]),
+    },
+    Parameter {
+        key: "tips.T9",
+        meaning: "imaginary tip of orientation 9, as signs of (a, b)",
+        clause: clause::TRC_TIP_01,
+        values: word!(Tip, tips[9]),
     },
 ];

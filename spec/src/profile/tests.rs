@@ -1,9 +1,15 @@
 use super::*;
+use crate::AlarmKind;
 use crate::clause;
 
 /// A whole profile file of its own name.
 fn whole() -> String {
-    BUILTIN[0].1.replace("name = \"mori-lathe\"", "name = \"mine\"")
+    BUILTIN
+        .iter()
+        .find(|(name, _)| *name == "mori-lathe")
+        .unwrap()
+        .1
+        .replace("name = \"mori-lathe\"", "name = \"mine\"")
 }
 
 #[test]
@@ -23,7 +29,7 @@ fn values_go_to_their_fields() {
     let lathe = Profile::builtin("mori-lathe").unwrap();
     assert_eq!(lathe.machine.plane, Plane::Zx);
     assert_eq!(lathe.machine.least_increment, Ratio { numerator: 1, denominator: 1000 });
-    assert_eq!(lathe.parameters.non_moving_allowed, 4);
+    assert_eq!(lathe.parameters.non_moving_allowed, Some(4));
     assert_eq!(lathe.parameters.arc_end_tolerance, Ratio { numerator: 1, denominator: 100 });
     assert_eq!(lathe.parameters.far_intersection, Ratio { numerator: 5, denominator: 1 });
     use Activation::{Absent, Cancel, Left, Right};
@@ -95,15 +101,15 @@ fn faults_say_what_would_be_right() {
         (r#"value = "0.001","#, r#"value = "0.000","#, r#""0.000""#, r#"`machine.least-increment` cannot be "0.000"; it can be a decimal in quotes, greater than 0, such as "0.001""#),
         (r#"value = "0.01","#, r#"value = "-0.01","#, r#""-0.01""#, r#"`compensation.arc-end-tolerance` cannot be "-0.01"; it can be a decimal in quotes, 0 or greater, such as "0.001""#),
         (r#"value = "0.01","#, r#"value = "1/100","#, r#""1/100""#, r#"`compensation.arc-end-tolerance` cannot be "1/100"; it can be a decimal in quotes, 0 or greater, such as "0.001""#),
-        ("value = 4,", "value = 9,", "9", r#"`compensation.non-moving-allowed` cannot be 9; it can be a whole number from 0 to 8"#),
+        ("value = 4,", "value = 9,", "9", r#"`compensation.non-moving-allowed` cannot be 9; it can be a whole number from 0 to 8, or "unbounded""#),
         (r#"clause = "TRC-LOOK-02""#, r#"clause = "TRC-LOOK-03""#, r#""TRC-LOOK-03""#, r#"`compensation.non-moving-allowed` belongs to the clause "TRC-LOOK-02", not to "TRC-LOOK-03""#),
         (r#"source = "S:seed001", clause = "TRC-LOOK-02""#, r#"source = "S:, D", clause = "TRC-LOOK-02""#, r#""S:, D""#, r#"`compensation.non-moving-allowed` has the source "S:, D"; sources are "S:…" (read in that source), "K" (known), "I" (derived), "D" (decided), separated by commas"#),
         (r#", clause = "TRC-LOOK-02""#, "", r#"{ value = 4,                     source = "S:seed001" }"#, r#"`compensation.non-moving-allowed.clause` is missing; it can be "TRC-LOOK-02""#),
-        ("corner-owner ", "corner-ownre ", "corner-ownre", "`compensation.corner-ownre` is not a key of a profile; possible here: `start-up`, `start-up-lost`, `cancel`, `outer-corner`, `reversal`, `side-change`, `side-change-after-start-up`, `non-moving-allowed`, `corner-owner`, `reversed-path`, `arc-end-tolerance`, `far-intersection`"),
-        ("[machine]", "[machines]", "machines", "`machines` is not a key of a profile; possible here: `name`, `title`, `extends`, `machine`, `activation`, `compensation`"),
+        ("corner-owner ", "corner-ownre ", "corner-ownre", "`compensation.corner-ownre` is not a key of a profile; possible here: `start-up`, `start-up-lost`, `cancel`, `outer-corner`, `reversal`, `side-change`, `side-change-after-start-up`, `non-moving-allowed`, `corner-owner`, `reversed-path`, `arc-end-tolerance`, `far-intersection`, `start-up-b`, `start-up-without-movement`, `start-up-arc`, `cancel-without-movement`, `corner-limit-cosine`, `arc-extension`, `smallest-corner-cosine`, `straight-band-cosine`, `arc-on-rapid`, `small-vector-limit`, `same-code`, `negative-radius`, `equal-radius`, `zero-length-move`"),
+        ("[machine]", "[machines]", "machines", "`machines` is not a key of a profile; possible here: `name`, `title`, `extends`, `machine`, `activation`, `compensation`, `tips`, `alarms`"),
         (r#"name = "mine""#, r#"name = "my mill""#, r#""my mill""#, r#"`name` cannot be "my mill"; it can be lower-case letters, digits and hyphens"#),
         (r#"name = "mine""#, r#"name = "seed-mill""#, r#""seed-mill""#, r#""seed-mill" is a built-in profile that says something else; give the profile a name of its own"#),
-        (r#"name = "mine""#, "name = \"mine\"\nextends = \"fanuc\"", r#""fanuc""#, r#"`extends` cannot be "fanuc"; it can be "mori-lathe", "seed-mill", "yasnac-lx""#),
+        (r#"name = "mine""#, "name = \"mine\"\nextends = \"fanuc\"", r#""fanuc""#, r#"`extends` cannot be "fanuc"; it can be "fanuc-16", "fanuc-30i", "haas-a", "haas-b", "linuxcnc", "mitsubishi-m700", "mori-lathe", "okuma-osp", "seed-mill", "siemens-840d", "siemens-840d-g451", "siemens-840d-kont", "siemens-840d-kont-g451", "yasnac-lx""#),
         (r#"name = "mine""#, "name = ", "", "this is not TOML: string values must be quoted, expected literal string"),
     ];
     for (from, to, marked, message) in cases {
@@ -115,6 +121,23 @@ fn faults_say_what_would_be_right() {
         let found: String = error.source_line.chars().skip(start).take(length).collect();
         assert_eq!(found, marked, "{error}");
     }
+}
+
+/// An alarm needs a number or a place in the list of those without; an extension inherits both.
+#[test]
+fn every_alarm_is_numbered_or_listed() {
+    let haas = Profile::builtin("haas-b").unwrap();
+    assert_eq!(haas.alarm_number(AlarmKind::ArcAtCancel), Some("341"));
+    assert_eq!(haas.alarm_number(AlarmKind::Reversal), None);
+    for profile in BUILTIN.iter().map(|(name, _)| Profile::builtin(name).unwrap()) {
+        let kinds: Vec<_> = profile.alarms.iter().map(|alarm| alarm.kind).collect();
+        assert_eq!(kinds, AlarmKind::ALL, "{}", profile.name);
+    }
+    let fault = |text: String| Profile::parse(&text, "mine.toml").unwrap_err().kind.to_string();
+    assert!(fault(whole().replace("\"reversal\", ", "")).starts_with("`alarms.reversal` is missing"));
+    assert!(fault(whole().replace("\"reversal\", ", "\"revresal\", ")).starts_with("`alarms.unnumbered` cannot be"));
+    let both = whole().replace("[alarms]\n", "[alarms]\nreversal = { value = \"1\", source = \"D\" }\n");
+    assert!(fault(both).contains("not both"));
 }
 
 #[test]

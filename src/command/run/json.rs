@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use radcomp::explain::Coordinate;
+use radcomp::tip;
 use radcomp_spec::block::Point;
 use radcomp_spec::parameters::Plane;
 use radcomp_spec::{Advisory, Direction, Segment, Step};
@@ -17,14 +18,15 @@ pub struct Json<'c> {
     control: &'c Control,
     engine: Engine,
     digits: usize,
+    with_tip: bool,
     begun: bool,
     plane: Plane,
 }
 
 impl<'c> Json<'c> {
     /// A printer at the start of its document.
-    pub fn new(control: &'c Control, engine: Engine, digits: usize) -> Self {
-        Json { control, engine, digits, begun: false, plane: control.profile.machine.plane }
+    pub fn new(control: &'c Control, engine: Engine, digits: usize, with_tip: bool) -> Self {
+        Json { control, engine, digits, with_tip, begun: false, plane: control.profile.machine.plane }
     }
 
     /// Writes what stands before an event: the head, or a comma.
@@ -53,6 +55,14 @@ impl<'c> Json<'c> {
         Value::Object(Map::from_iter(axes))
     }
 
+    /// Adds where the tip stands, if that is asked for.
+    fn tip<N: Coordinate>(&self, event: &mut Value, step: &Step<N>, block: &Placed) {
+        let tip = tip::at_end(step, block.read.nose.as_ref(), &self.control.profile.parameters);
+        if let Some(tip) = tip.filter(|_| self.with_tip) {
+            event["tip"] = self.point(block, &tip);
+        }
+    }
+
     fn number<N: Coordinate>(&self, value: &N) -> Value {
         json!({ "decimal": value.short(self.digits), "exact": value.exact() })
     }
@@ -76,6 +86,7 @@ impl<N: Coordinate> Print<N> for Json<'_> {
                 event["rapid"] = json!(step.rapid);
                 event["main"] = json!(step.main);
                 event["end"] = self.point(block, end);
+                self.tip(&mut event, step, block);
             }
             Segment::Arc { end, centre, direction, full } => {
                 let sense = match direction {
@@ -87,6 +98,7 @@ impl<N: Coordinate> Print<N> for Json<'_> {
                 event["centre"] = self.point(block, centre);
                 event["direction"] = json!(sense);
                 event["full"] = json!(full);
+                self.tip(&mut event, step, block);
             }
         }
         write!(out, "{event}")
@@ -114,6 +126,7 @@ impl<N: Coordinate> Print<N> for Json<'_> {
                 alarm["alarm"] = json!(raised.kind.id());
                 alarm["clause"] = json!(raised.kind.clause().id());
                 alarm["text"] = json!(raised.kind.text());
+                alarm["number"] = json!(self.control.profile.alarm_number(raised.kind));
             }
             Ending::Refused(diagnostic) => {
                 refused = json!({

@@ -3,22 +3,25 @@
 use std::io::{self, Write};
 
 use radcomp::explain::Coordinate;
+use radcomp::tip;
 use radcomp_spec::block::Point;
-use radcomp_spec::{Advisory, Direction, Segment, Step};
+use radcomp_spec::{Advisory, Direction, Parameters, Segment, Step};
 
 use super::{Ending, Print};
 use crate::command::ledger::Ledger;
 use crate::command::program::Placed;
 
 /// Prints lines.
-pub struct Text {
+pub struct Text<'c> {
     /// Digits after the decimal point.
     pub digits: usize,
+    /// The parameters, if the tip is asked for.
+    pub tip: Option<&'c Parameters>,
     /// Path elements printed.
     pub count: u64,
 }
 
-impl<N: Coordinate> Print<N> for Text {
+impl<N: Coordinate> Print<N> for Text<'_> {
     fn step(&mut self, out: &mut dyn Write, step: &Step<N>, block: &Placed) -> io::Result<()> {
         if self.count == 0 {
             let width = 2 * (self.digits + 12);
@@ -38,8 +41,20 @@ impl<N: Coordinate> Print<N> for Text {
         };
         let width = 2 * (self.digits + 12);
         match more {
-            Some(more) => writeln!(out, "{place}{end:<width$}{:<16}{more}", step.clause.id()),
-            None => writeln!(out, "{place}{end:<width$}{}", step.clause.id()),
+            Some(more) => writeln!(out, "{place}{end:<width$}{:<16}{more}", step.clause.id())?,
+            None => writeln!(out, "{place}{end:<width$}{}", step.clause.id())?,
+        }
+        let tip = self.tip.and_then(|parameters| tip::at_end(step, block.read.nose.as_ref(), parameters));
+        match tip {
+            Some(tip) => {
+                let forms = block
+                    .axes
+                    .closed_forms(&tip, self.digits)
+                    .map_or(String::new(), |forms| format!("{:16}{forms}", ""));
+                let line = format!("{:>6}  {:<7} {:<16}{:<width$}{forms}", "", "", "tip", self.columns(block, &tip));
+                writeln!(out, "{}", line.trim_end())
+            }
+            None => Ok(()),
         }
     }
 
@@ -62,7 +77,7 @@ impl<N: Coordinate> Print<N> for Text {
     }
 }
 
-impl Text {
+impl Text<'_> {
     fn columns<N: Coordinate>(&self, block: &Placed, point: &Point<N>) -> String {
         let width = self.digits + 7;
         let columns =

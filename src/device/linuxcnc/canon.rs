@@ -167,6 +167,12 @@ fn alarm(text: &str, read: usize, places: &[Place]) -> Result<Alarm, DeviceFault
         || DeviceFault::Garbled(format!("rs274 stops at N{} with an error that is no alarm here: {text}", read + 1));
     let message = TABLE.message.iter().find(|message| text.starts_with(&message.text)).ok_or_else(unknown)?;
     let kind = AlarmKind::ALL.iter().find(|kind| kind.id() == message.alarm).ok_or_else(unknown)?;
+    // One message for either code.
+    let same_code = places.get(read).is_some_and(|place| place.same_code);
+    let kind = match kind {
+        AlarmKind::SideChangeForbidden if same_code => &AlarmKind::SameCode,
+        kind => kind,
+    };
     let block = match message.block {
         Where::Read => read,
         Where::Before => {

@@ -20,6 +20,8 @@ pub(super) struct Place {
     pub moves: bool,
     /// It is an arc that ends where it starts.
     pub whole_turn: bool,
+    /// It gives the compensation code that is in force already.
+    pub same_code: bool,
 }
 
 /// The line that comes before a program's answer, and the one after it, without the id.
@@ -39,15 +41,17 @@ pub(super) fn program(id: &str, plane: Plane, blocks: &[Block<Rational>]) -> Res
     };
     // What an error has left behind ends here; the tool starts at the origin, without compensation.
     let mut text = format!("m2\ng21 {code} g90 g40 g64\ng0 x0 y0 z0\n(print,{BEGIN}{id})\n");
-    let mut state = State { at: [Rational::new(), Rational::new()], radius: Rational::new(), on: false };
+    let mut state = State { at: [Rational::new(), Rational::new()], radius: Rational::new(), side: None };
     let mut places = Vec::with_capacity(blocks.len());
     for (index, block) in blocks.iter().enumerate() {
         let number = index + 1;
         // Writing to a string cannot fail.
         let _ = write!(text, "n{number}");
+        let side = state.side;
         state.codes(block, &mut text)?;
+        let same_code = side.is_some_and(|side| block.compensation == Some(Compensation::On(side)));
         let point = |[first, second]: &[Rational; 2]| Ok(format!(" {a}{} {b}{}", decimal(first)?, decimal(second)?));
-        let mut place = Place { moves: false, whole_turn: false };
+        let mut place = Place { moves: false, whole_turn: false, same_code };
         match &block.movement {
             // A dwell of no time is a block without movement.
             Movement::None if block.compensation.is_none() => text.push_str(" g4 p0"),
@@ -70,7 +74,7 @@ pub(super) fn program(id: &str, plane: Plane, blocks: &[Block<Rational>]) -> Res
                         let _ = write!(text, " r{}", decimal(radius)?);
                     }
                 }
-                place = Place { moves: true, whole_turn: *end == state.at };
+                place = Place { moves: true, whole_turn: *end == state.at, same_code };
                 state.at.clone_from(end);
             }
         }
@@ -85,11 +89,15 @@ pub(super) fn program(id: &str, plane: Plane, blocks: &[Block<Rational>]) -> Res
 struct State {
     at: [Rational; 2],
     radius: Rational,
-    on: bool,
+    /// The tool's side; none without compensation.
+    side: Option<Side>,
 }
 
 impl State {
     fn codes(&mut self, block: &Block<Rational>, text: &mut String) -> Result<(), DeviceFault> {
+        if block.stops_look_ahead || block.not_in_mode.is_some() {
+            return unsupported("codes that stop reading ahead or are not for offset mode");
+        }
         if block.corner.is_some() {
             return unsupported("a choice of the outer corner");
         }
@@ -97,7 +105,7 @@ impl State {
             if radius.is_negative() {
                 return unsupported("a negative radius");
             }
-            if self.on && *radius != self.radius && !matches!(block.compensation, Some(Compensation::On(_))) {
+            if self.side.is_some() && *radius != self.radius && !matches!(block.compensation, Some(Compensation::On(_))) {
                 return unsupported("another radius while compensation is on");
             }
             self.radius.clone_from(radius);
@@ -105,11 +113,11 @@ impl State {
         match block.compensation {
             None => {}
             Some(Compensation::Off) => {
-                self.on = false;
+                self.side = None;
                 text.push_str(" g40");
             }
             Some(Compensation::On(side)) => {
-                self.on = true;
+                self.side = Some(side);
                 let code = if side == Side::Left { "g41.1" } else { "g42.1" };
                 let diameter = decimal(&Rational::from(&self.radius * 2))?;
                 let _ = write!(text, " {code} d{diameter}");

@@ -77,8 +77,8 @@ pub fn request(
     }
     let listing = print_blocks(blocks, control).ok();
     let tools = listing.as_ref().map(|listing| {
-        let radii = (1..).map_while(|number: u32| Some((number, listing.tools.radius_of(number)?)));
-        radii.filter_map(|(number, radius)| Some((number.to_string(), format_decimal(radius)?))).collect()
+        let radii = (1..).map_while(|number: u32| Some((number, listing.tools.tool(number)?.radius())));
+        radii.filter_map(|(number, radius)| Some((number.to_string(), format_decimal(&radius)?))).collect()
     });
     let request = Request {
         radcomp: PROTOCOL,

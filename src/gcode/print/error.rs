@@ -42,7 +42,7 @@ impl fmt::Display for PrintError {
             PrintError::Number { block, value } => {
                 write!(
                     f,
-                    "block {block}: G-code has no number {value}: at most {MOST_DIGITS} digits on each side of the point, and no negative radius"
+                    "block {block}: G-code has no number {value}: at most {MOST_DIGITS} digits on each side of the point"
                 )
             }
             PrintError::NoCode { block, wanted } => write!(f, "block {block}: there is no code for {wanted}"),

@@ -33,6 +33,7 @@ impl State<'_> {
             let message = "no G00, G01, G02 or G03 is in force: one has to come first or stand here";
             return Err(LineFault::new(Kind::NoMotion, first, message));
         };
+        self.stay_in_plane(&first)?;
         let from = self.position.clone();
         self.step(axes);
         block.movement = match motion {
@@ -46,15 +47,31 @@ impl State<'_> {
         };
         // A dummy block owns corner moves ([TRC-DUMMY-02]), so its rate counts too.
         block.rapid = motion == Motion::Rapid;
-        self.moved |= moves_axes || matches!(block.movement, Movement::Arc { .. });
+        if moves_axes || matches!(block.movement, Movement::Arc { .. }) {
+            self.moved_in = Some(self.plane);
+        }
         let [a, b, _] = axes_of(self.plane);
         let moves = match block.movement {
             Movement::None | Movement::Dummy { .. } => false,
             Movement::Line { .. } => from[a] != self.position[a] || from[b] != self.position[b],
             Movement::Arc { .. } => true,
         };
-        self.started |= moves && self.side.is_some();
+        self.started |= moves && self.in_mode();
         Ok(())
+    }
+
+    /// All movements of a program are in one plane.
+    fn stay_in_plane(&self, first: &Range<usize>) -> Result<(), LineFault> {
+        match self.moved_in {
+            Some(before) if before != self.plane => {
+                let (before, now) = (name_of(before), name_of(self.plane));
+                let message = format!(
+                    "the movements so far are in {before}, and {now} is in force; movements in two planes are not supported yet"
+                );
+                Err(LineFault::new(Kind::PlaneChange, first.clone(), message).citing(clause::TRC_PLANE_01))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Moves the programmed point.
@@ -123,7 +140,7 @@ impl State<'_> {
                 self.profile.name
             )));
         }
-        if self.side.is_none() {
+        if !self.in_mode() {
             return Err(fault("I, J and K alone are a dummy block, which stands in offset mode only".to_owned()));
         }
         if !self.started {

@@ -1,9 +1,9 @@
 //! Properties: what is printed reads back, and no bytes make the reader panic.
 
 use proptest::prelude::*;
-use radcomp_spec::parameters::CornerCodes;
-use radcomp_spec::profile::{BUILTIN, Profile};
-use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
+use radcomp_spec::parameters::{CornerCodes, InMode, ReadAheadStop, ToolChange};
+use radcomp_spec::profile::{BUILTIN, Machine, Profile};
+use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
 use rug::Rational;
 
 use super::tools;
@@ -41,26 +41,72 @@ fn block() -> impl Strategy<Value = Block<Rational>> {
         1 => Just(Some(Compensation::On(Side::Left))),
         1 => Just(Some(Compensation::On(Side::Right))),
     ];
-    let radius = prop::option::weighted(0.2, (0_u32..20).prop_map(|tenths| Rational::from((tenths, 10))));
-    let corner =
-        prop_oneof![8 => Just(None), 1 => Just(Some(OuterCorner::Arc)), 1 => Just(Some(OuterCorner::Intersection))];
-    (movement(), any::<bool>(), compensation, radius, corner).prop_map(
-        |(movement, rapid, compensation, radius, corner)| Block { movement, rapid, compensation, radius, corner },
+    let radius = prop::option::weighted(0.2, (-20_i32..20).prop_map(|tenths| Rational::from((tenths, 10))));
+    let corner = prop_oneof![
+        8 => Just(None),
+        1 => Just(Some(OuterCorner::Arc)),
+        1 => Just(Some(OuterCorner::Intersection)),
+        1 => Just(Some(OuterCorner::LimitAngle)),
+    ];
+    let not_in_mode = prop_oneof![
+        12 => Just(None),
+        1 => Just(Some(AlarmKind::PlaneChangeInMode)),
+        1 => Just(Some(AlarmKind::ReferenceReturnInMode)),
+        1 => Just(Some(AlarmKind::MachineCoordinatesInMode)),
+        1 => Just(Some(AlarmKind::SetCoordinatesInMode)),
+        1 => Just(Some(AlarmKind::ToolChangeInMode)),
+        1 => Just(Some(AlarmKind::CannedCycleInMode)),
+    ];
+    let stops = prop::bool::weighted(0.1);
+    (movement(), any::<bool>(), compensation, radius, corner, stops, not_in_mode).prop_map(
+        |(movement, rapid, compensation, radius, corner, stops_look_ahead, not_in_mode)| Block {
+            movement,
+            rapid,
+            compensation,
+            radius,
+            corner,
+            stops_look_ahead,
+            not_in_mode,
+        },
     )
 }
 
 /// Takes out of the blocks what has no G-code under the profile.
 fn expressible(mut blocks: Vec<Block<Rational>>, profile: &Profile) -> Vec<Block<Rational>> {
+    let machine = &profile.machine;
+    let mut on = false;
     for block in &mut blocks {
-        if profile.machine.corner_codes == CornerCodes::None {
-            block.corner = None;
-        }
+        block.corner = block.corner.filter(|corner| match machine.corner_codes {
+            CornerCodes::None => false,
+            CornerCodes::M96M97 => *corner != OuterCorner::LimitAngle,
+            CornerCodes::G450G451 => *corner != OuterCorner::Intersection,
+        });
         if matches!(block.movement, Movement::Dummy { .. }) {
             block.movement = Movement::None;
         }
         block.rapid &= !matches!(block.movement, Movement::Arc { .. });
+        block.stops_look_ahead &= machine.read_ahead_stop == ReadAheadStop::BreaksLookAhead;
+        on = block.compensation.map_or(on, |code| code != Compensation::Off);
+        block.not_in_mode = block.not_in_mode.filter(|kind| on && has_alarm(machine, *kind));
+        if block.not_in_mode.is_some() {
+            // Its movement is not looked at.
+            (block.movement, block.rapid) = (Movement::None, false);
+        }
     }
     blocks
+}
+
+/// Whether the profile has this alarm for a code in mode.
+fn has_alarm(machine: &Machine, kind: AlarmKind) -> bool {
+    match kind {
+        AlarmKind::PlaneChangeInMode => machine.plane_change == InMode::Alarm,
+        AlarmKind::ReferenceReturnInMode => machine.reference_return == InMode::Alarm,
+        AlarmKind::MachineCoordinatesInMode => machine.machine_coordinates == InMode::Alarm,
+        AlarmKind::SetCoordinatesInMode => machine.set_coordinates == InMode::Alarm,
+        AlarmKind::ToolChangeInMode => machine.tool_change == ToolChange::Alarm,
+        AlarmKind::CannedCycleInMode => machine.canned_cycle == InMode::Alarm,
+        _ => false,
+    }
 }
 
 proptest! {
@@ -95,7 +141,8 @@ proptest! {
     fn any_blocks_print_or_are_refused(profile in profile(), blocks in prop::collection::vec(block(), 0..12)) {
         match print_blocks(&blocks, &profile) {
             Ok(listing) => prop_assert_eq!(listing.program.lines().count(), blocks.len() + 3),
-            Err(PrintError::Refused(_) | PrintError::NoCode { .. }) => {}
+            // A code that is not for offset mode reads as nothing outside it.
+            Err(PrintError::Refused(_) | PrintError::NoCode { .. } | PrintError::Different { .. }) => {}
             Err(error) => prop_assert!(false, "{}", error),
         }
     }
@@ -120,7 +167,7 @@ proptest! {
     #[test]
     fn words_at_random_read_or_are_refused_in_place(
         profile in profile(),
-        text in "((G0?[0-4]|G1[789]|G2[01]|G4[0-4]|G9[01]|M9[67]|M30|D[0-2]|T0?10[01]|N1|F9|/|%|\\(a\\)|;|[XYZIJKRPUé]-?[0-9]{1,2}(\\.[05])?)[ \n]){0,30}",
+        text in "((G0?[0-4]|G1[789]|G2[01]|G4[0-4]|G9[0-2]|G28|G53|G81|G45[01]|M9[67]|M0[016]|M30|D[0-4]|T0?10[0134]|N1|F9|/|%|\\(a\\)|;|[XYZIJKRPUé]-?[0-9]{1,2}(\\.[05])?)[ \n]){0,30}",
     ) {
         match read("a.nc", text.as_bytes(), &profile, &tools()) {
             Ok(program) => {
@@ -164,9 +211,7 @@ fn what_has_no_g_code_is_refused_with_its_block() {
     let blocks = [Block::empty(), third];
     let number = PrintError::Number { block: 1, value: Rational::from((1, 3)) };
     assert_eq!(print_blocks(&blocks, &mill), Err(number));
-    let negative = Block { radius: Some(Rational::from(-1)), ..Block::empty() };
-    assert_eq!(print_blocks(&[negative], &mill), Err(PrintError::Number { block: 0, value: Rational::from(-1) }));
     let corner = Block { corner: Some(OuterCorner::Arc), ..Block::empty() };
     let refused = print_blocks(&[corner], &mill);
-    assert_eq!(refused, Err(PrintError::NoCode { block: 0, wanted: "a choice of the outer corner" }));
+    assert_eq!(refused, Err(PrintError::NoCode { block: 0, wanted: "this choice of the outer corner" }));
 }

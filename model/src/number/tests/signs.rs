@@ -30,7 +30,7 @@ proptest! {
             if bits > 20_000 {
                 continue;
             }
-            let (low, high) = value.enclosure(bits as u32 + 64);
+            let (low, high) = value.enclosure(bits.max(0) as u32 + 64);
             let least = tiny(bits.max(0) as u32) - tiny(bits.max(0) as u32 + 60);
             let zero_inside = low <= 0 && high >= 0;
             prop_assert!(zero_inside || low >= least || high <= -least);

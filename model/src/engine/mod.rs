@@ -1,0 +1,201 @@
+//! The engine: blocks in, settled path elements out.
+
+mod cancel;
+mod offset;
+mod pending;
+mod read;
+mod start_up;
+mod without_movement;
+
+use radcomp_spec::clause::{self, Clause};
+use radcomp_spec::parameters::Parameters;
+use radcomp_spec::{Alarm, AlarmKind, Block, OuterCorner, Segment, Side, Step};
+use rug::Rational;
+
+use crate::decision::{Judgement, Sink, Stop};
+use crate::element::Element;
+use crate::geometry::Vector;
+use crate::number::Real;
+use crate::rules::corner::next_owns;
+use crate::rules::junction::Setting;
+use crate::rules::look_ahead::Settled;
+use crate::rules::mode::Offset;
+
+use pending::Held;
+pub(crate) use pending::Pending;
+
+/// The reference model: reads blocks one at a time and hands out each path element as soon as it is settled.
+///
+/// Its memory is bounded: one block that moves and the blocks without movement after it are held
+/// ([TRC-LOOK-02]). Where a profile allows any number of those, they are held as runs of one traverse rate.
+/// The tool stands at (0, 0) when a program starts.
+///
+/// # Exactness
+///
+/// Coordinates are rationals and every answer is an exact number; nothing is rounded.
+#[derive(Clone, Debug)]
+pub struct Engine {
+    parameters: Parameters,
+    /// What is made of a number of the program.
+    number: fn(&Rational) -> Real,
+    next_block: usize,
+    /// Where the program stands.
+    position: Vector,
+    /// Where the tool's centre stands.
+    tool: Vector,
+    /// The side of the compensation code in force; a negative radius does not change it.
+    code: Option<Side>,
+    offset: Offset,
+    outer_corner: OuterCorner,
+    mode: Mode,
+    pending: Option<Pending>,
+    /// The start-up block without movement whose next element is not yet read; nothing is pending then.
+    shift: Option<Shift>,
+    /// Blocks without movement since the pending one, or since the start-up block without movement.
+    held: Held,
+    settled: Option<Settled>,
+    /// Side of the element before.
+    element_side: Option<Side>,
+    /// Side of the start-up block, until the first element after it has been read.
+    start_up_side: Option<Side>,
+    stopped: Option<Stop>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Mode {
+    /// Cancel mode ([TRC-MODE-01]).
+    Cancel,
+    /// From the start-up block's reading to the block with G40. With a start-up block without movement it begins when
+    /// the next element is read ([TRC-START-08]).
+    Offset,
+    /// G40 has been read in a block that does not move ([TRC-CANCEL-03]).
+    Cancelling,
+}
+
+/// A start-up block without movement ([TRC-START-08]).
+#[derive(Clone, Copy, Debug)]
+struct Shift {
+    block: usize,
+    rapid: bool,
+}
+
+/// A block that moves, as the engine deals with it.
+struct Moving {
+    number: usize,
+    rapid: bool,
+    element: Element,
+}
+
+type Answer = Result<(), Stop>;
+
+impl Engine {
+    /// An engine in cancel mode, with the tool at (0, 0) and radius 0.
+    pub fn new(parameters: &Parameters) -> Self {
+        Engine {
+            parameters: *parameters,
+            number: |value| Real::from(value),
+            next_block: 0,
+            position: Vector::zero(),
+            tool: Vector::zero(),
+            code: None,
+            offset: Offset::none(),
+            outer_corner: parameters.outer_corner,
+            mode: Mode::Cancel,
+            pending: None,
+            shift: None,
+            held: Held::default(),
+            settled: None,
+            element_side: None,
+            start_up_side: None,
+            stopped: None,
+        }
+    }
+
+    /// An engine that remembers which numbers of its answers come from the program, so that
+    /// [`Real::reach`] can tell what a change of the program makes of them. Slower: no step is folded.
+    pub fn on_inputs(parameters: &Parameters) -> Self {
+        Engine { number: Real::input, ..Engine::new(parameters) }
+    }
+
+    /// Reads the next block.
+    ///
+    /// # Errors
+    ///
+    /// The alarm that ends the path, at this block or an earlier one; every later call answers the same.
+    pub fn push(&mut self, block: &Block<Rational>, sink: &mut dyn Sink) -> Result<(), Stop> {
+        if let Some(stop) = self.stopped {
+            return Err(stop);
+        }
+        let number = self.next_block;
+        self.next_block += 1;
+        let result = self.read(number, block, &mut Judgement { sink, block: number });
+        self.remember(result)
+    }
+
+    /// The program ends ([TRC-MODE-04]).
+    ///
+    /// # Errors
+    ///
+    /// As [`Engine::push`].
+    pub fn finish(&mut self, sink: &mut dyn Sink) -> Result<(), Stop> {
+        if let Some(stop) = self.stopped {
+            return Err(stop);
+        }
+        let block = self.next_block.saturating_sub(1);
+        let result = self.lose(clause::TRC_MODE_04, &mut Judgement { sink, block });
+        self.remember(result)
+    }
+
+    fn remember(&mut self, result: Answer) -> Answer {
+        if let Err(stop) = result {
+            self.stopped = Some(stop);
+        }
+        result
+    }
+
+    /// The side in force: that of the code, exchanged by a negative radius ([TRC-SIDE-07]).
+    fn side(&self) -> Option<Side> {
+        self.code.map(|code| self.offset.side(code))
+    }
+
+    /// What a junction depends on besides its elements; `next_rapid` is the traverse of the block after it.
+    fn setting(&self, next_rapid: bool) -> Setting<'_> {
+        let previous_rapid = self.pending.as_ref().is_some_and(|pending| pending.rapid);
+        Setting {
+            parameters: &self.parameters,
+            radius: &self.offset.radius,
+            outer_corner: self.outer_corner,
+            owner_rapid: if next_owns(self.parameters.corner_owner) { next_rapid } else { previous_rapid },
+        }
+    }
+
+    /// [TRC-MODE-06] ends the pending block on its own normal and stops.
+    fn alarm(&mut self, block: usize, kind: AlarmKind, judgement: &mut Judgement<'_>) -> Answer {
+        if let Some(pending) = &self.pending {
+            let end = pending.own_normal(&self.offset.radius);
+            self.end_pending(clause::TRC_MODE_06, end, judgement)?;
+            self.execute_held(clause::TRC_LOOK_02, judgement);
+        }
+        self.drop_shift(judgement);
+        Err(Stop::Alarm(Alarm { block, kind }))
+    }
+
+    fn emit(
+        &mut self,
+        block: usize,
+        rapid: bool,
+        clause: Clause,
+        main: bool,
+        segment: Segment<Real>,
+        judgement: &mut Judgement<'_>,
+    ) {
+        self.stand_at_end_of(&segment);
+        judgement.sink.step(Step { block, clause, rapid, main, segment });
+    }
+
+    fn stand_at_end_of(&mut self, segment: &Segment<Real>) {
+        if let Segment::Line { end: [a, b] } | Segment::Arc { end: [a, b], .. } = segment {
+            self.tool = Vector::new(a.clone(), b.clone());
+        }
+    }
+}
