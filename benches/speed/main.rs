@@ -16,8 +16,8 @@ mod table;
 use radcomp_spec::Parameters;
 use radcomp_spec::parameters::{
     ArcExtension, ArcOnRapid, Cancel, CancelWithoutMovement, CornerOwner, EqualRadius, NegativeRadius, OuterCorner,
-    Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc, StartUpB,
-    StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
+    PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc,
+    StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
 };
 
 use contour::Contour;
@@ -52,6 +52,7 @@ const PARAMETERS: Parameters = Parameters {
     negative_radius: NegativeRadius::Alarm,
     equal_radius: EqualRadius::Alarm,
     zero_length_move: ZeroLengthMove::NoMovement,
+    pending_at_alarm: PendingAtAlarm::Ended,
 };
 
 /// A limit that there is not.

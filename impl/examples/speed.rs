@@ -47,6 +47,7 @@ const PARAMETERS: Parameters = Parameters {
     negative_radius: NegativeRadius::Alarm,
     equal_radius: EqualRadius::Alarm,
     zero_length_move: ZeroLengthMove::NoMovement,
+    pending_at_alarm: PendingAtAlarm::Ended,
 };
 
 const NONE: Ratio = Ratio { numerator: 0, denominator: 1 };

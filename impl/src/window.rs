@@ -8,8 +8,8 @@
 mod ending;
 
 use radcomp_spec::parameters::{
-    Cancel, CancelWithoutMovement, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc, StartUpLost,
-    StartUpWithoutMovement,
+    Cancel, CancelWithoutMovement, PendingAtAlarm, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc,
+    StartUpLost, StartUpWithoutMovement,
 };
 use radcomp_spec::{Alarm, AlarmKind, Compensation, Parameters, Side, clause};
 
@@ -59,6 +59,7 @@ struct Policy {
     cancel: Cancel,
     shift_out: CancelWithoutMovement,
     same_code: SameCode,
+    at_alarm: PendingAtAlarm,
     side_change: SideChange,
     after_start_up: SideChangeAfterStartUp,
     /// Blocks without movement allowed between two moves.
@@ -96,6 +97,7 @@ impl Window {
             cancel: parameters.cancel,
             shift_out: parameters.cancel_without_movement,
             same_code: parameters.same_code,
+            at_alarm: parameters.pending_at_alarm,
             side_change: parameters.side_change,
             after_start_up: parameters.side_change_after_start_up,
             allowed: parameters.non_moving_allowed.map_or(usize::MAX, usize::from),

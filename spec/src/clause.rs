@@ -52,6 +52,7 @@ clauses! {
     TRC_MODE_07 = "TRC-MODE-07": "Numbers out of range";
     TRC_MODE_08 = "TRC-MODE-08": "Codes that are not for offset mode";
     TRC_MODE_09 = "TRC-MODE-09": "Axes outside the plane";
+    TRC_MODE_10 = "TRC-MODE-10": "A block that is lost in an alarm";
     TRC_START_01 = "TRC-START-01": "The start-up block";
     TRC_START_02 = "TRC-START-02": "Start-up, type A";
     TRC_START_03 = "TRC-START-03": "An arc as start-up block";

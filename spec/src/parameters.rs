@@ -169,6 +169,13 @@ choices! {
         /// An alarm.
         Alarm = "alarm",
     }
+    /// The block that waits for its end when an alarm is raised ([TRC-MODE-10]).
+    PendingAtAlarm {
+        /// It ends on its normal.
+        Ended = "ended",
+        /// It is lost.
+        Lost = "lost",
+    }
     /// A negative tool radius ([TRC-SIDE-07]).
     NegativeRadius {
         /// The sides are exchanged.
@@ -334,4 +341,6 @@ pub struct Parameters {
     pub equal_radius: EqualRadius,
     /// A straight move of length zero.
     pub zero_length_move: ZeroLengthMove,
+    /// The block that waits for its end when an alarm is raised.
+    pub pending_at_alarm: PendingAtAlarm,
 }

@@ -3,8 +3,8 @@
 use radcomp_spec::Parameters;
 use radcomp_spec::parameters::{
     ArcExtension, ArcOnRapid, Cancel, CancelWithoutMovement, CornerOwner, EqualRadius, MOST_NON_MOVING, NegativeRadius,
-    OuterCorner, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc,
-    StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
+    OuterCorner, PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp,
+    StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
 };
 use rug::Rational;
 use serde::de::Error;
@@ -51,6 +51,7 @@ pub struct ParametersRecord {
     pub negative_radius: Id<NegativeRadius>,
     pub equal_radius: Id<EqualRadius>,
     pub zero_length_move: Id<ZeroLengthMove>,
+    pub pending_at_alarm: Id<PendingAtAlarm>,
 }
 
 impl From<&Parameters> for ParametersRecord {
@@ -82,6 +83,7 @@ impl From<&Parameters> for ParametersRecord {
             negative_radius,
             equal_radius,
             zero_length_move,
+            pending_at_alarm,
         } = *parameters;
         ParametersRecord {
             start_up: Id(start_up),
@@ -110,6 +112,7 @@ impl From<&Parameters> for ParametersRecord {
             negative_radius: Id(negative_radius),
             equal_radius: Id(equal_radius),
             zero_length_move: Id(zero_length_move),
+            pending_at_alarm: Id(pending_at_alarm),
         }
     }
 }
@@ -143,6 +146,7 @@ impl From<&ParametersRecord> for Parameters {
             negative_radius: record.negative_radius.0,
             equal_radius: record.equal_radius.0,
             zero_length_move: record.zero_length_move.0,
+            pending_at_alarm: record.pending_at_alarm.0,
         }
     }
 }

@@ -5,8 +5,8 @@ use std::cmp::Ordering;
 use radcomp_spec::clause::{self, Clause};
 use radcomp_spec::parameters::{
     ArcExtension, ArcOnRapid, Cancel, CancelWithoutMovement, CornerOwner, EqualRadius, NegativeRadius, OuterCorner,
-    Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc, StartUpB, StartUpLost,
-    StartUpWithoutMovement, ZeroLengthMove,
+    PendingAtAlarm, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc,
+    StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
 };
 use radcomp_spec::{AlarmKind, Compensation, DecisionKind, Direction, Side};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -71,6 +71,7 @@ choices! {
     ArcExtension = "arc-extension";
     ArcOnRapid = "arc-on-rapid";
     SameCode = "same-code";
+    PendingAtAlarm = "pending-at-alarm";
     NegativeRadius = "negative-radius";
     EqualRadius = "equal-radius";
     ZeroLengthMove = "zero-length-move";

@@ -4,12 +4,12 @@
 use radcomp_spec::Parameters;
 use radcomp_spec::parameters::{
     ArcExtension, ArcOnRapid, Cancel, CancelWithoutMovement, CornerOwner, EqualRadius, MOST_NON_MOVING, NegativeRadius,
-    OuterCorner, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc,
-    StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
+    OuterCorner, PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp,
+    StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
 };
 
 /// Every name.
-const NAMES: [&str; 26] = [
+const NAMES: [&str; 27] = [
     "start-up",
     "start-up-lost",
     "cancel",
@@ -36,6 +36,7 @@ const NAMES: [&str; 26] = [
     "negative-radius",
     "equal-radius",
     "zero-length-move",
+    "pending-at-alarm",
 ];
 
 /// The parameters that a text gives: each of the compensation's parameters once, by the names and values of
@@ -83,6 +84,7 @@ pub fn parameters(text: &str) -> Option<Parameters> {
         negative_radius: word(text, "negative-radius", NegativeRadius::VALUES)?,
         equal_radius: word(text, "equal-radius", EqualRadius::VALUES)?,
         zero_length_move: word(text, "zero-length-move", ZeroLengthMove::VALUES)?,
+        pending_at_alarm: word(text, "pending-at-alarm", PendingAtAlarm::VALUES)?,
     })
 }
 

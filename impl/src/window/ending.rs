@@ -1,6 +1,6 @@
 //! How the pending element ends: at a junction, without one, or in an alarm; and the blocks without movement behind it.
 
-use radcomp_spec::parameters::{SideChange, SideChangeAfterStartUp, StartUpLost};
+use radcomp_spec::parameters::{PendingAtAlarm, SideChange, SideChangeAfterStartUp, StartUpLost};
 use radcomp_spec::{Alarm, AlarmKind, Clause, Side, clause};
 
 use super::{Mode, Pending, Start, Window};
@@ -14,6 +14,10 @@ impl Window {
     /// This alarm, or the one that ending the pending element raises at its block.
     #[cold]
     pub fn fault<G: Geometry>(&mut self, block: usize, kind: AlarmKind, geometry: &mut G) -> Result<(), Alarm> {
+        if self.policy.at_alarm == PendingAtAlarm::Lost {
+            // [TRC-MODE-10]
+            return Err(Alarm { block, kind });
+        }
         self.release(geometry);
         self.settle(End::Normal(clause::TRC_MODE_06), clause::TRC_LOOK_02, geometry)?;
         Err(Alarm { block, kind })

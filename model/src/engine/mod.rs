@@ -8,7 +8,7 @@ mod start_up;
 mod without_movement;
 
 use radcomp_spec::clause::{self, Clause};
-use radcomp_spec::parameters::Parameters;
+use radcomp_spec::parameters::{Parameters, PendingAtAlarm};
 use radcomp_spec::{Alarm, AlarmKind, Block, OuterCorner, Segment, Side, Step};
 use rug::Rational;
 
@@ -171,6 +171,10 @@ impl Engine {
 
     /// [TRC-MODE-06] ends the pending block on its own normal and stops.
     fn alarm(&mut self, block: usize, kind: AlarmKind, judgement: &mut Judgement<'_>) -> Answer {
+        // [TRC-MODE-10]
+        if self.parameters.pending_at_alarm == PendingAtAlarm::Lost {
+            return Err(Stop::Alarm(Alarm { block, kind }));
+        }
         if let Some(pending) = &self.pending {
             let end = pending.own_normal(&self.offset.radius);
             self.end_pending(clause::TRC_MODE_06, end, judgement)?;

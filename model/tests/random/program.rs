@@ -119,6 +119,7 @@ fn parameters(choices: &mut Choices<'_>) -> Parameters {
         arc_on_rapid: choices.value(ArcOnRapid::VALUES),
         small_vector_limit: choices.ratio(&[(0, 1), (1, 1), (2, 1)]),
         same_code: choices.value(SameCode::VALUES),
+        pending_at_alarm: choices.value(PendingAtAlarm::VALUES),
         negative_radius: choices.value(NegativeRadius::VALUES),
         equal_radius: choices.value(EqualRadius::VALUES),
         zero_length_move: choices.value(ZeroLengthMove::VALUES),

@@ -295,6 +295,7 @@ fn blank() -> Profile {
             negative_radius: NegativeRadius::Alarm,
             equal_radius: EqualRadius::Alarm,
             zero_length_move: ZeroLengthMove::NoMovement,
+            pending_at_alarm: PendingAtAlarm::Ended,
         },
         tips: [Tip::Absent; 10],
         alarms: Vec::new(),

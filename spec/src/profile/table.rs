@@ -360,6 +360,12 @@ pub const PARAMETERS: &[Parameter] = &[
         values: word!(ZeroLengthMove, parameters.zero_length_move),
     },
     Parameter {
+        key: "compensation.pending-at-alarm",
+        meaning: "block that waits for its end when an alarm is raised",
+        clause: clause::TRC_MODE_10,
+        values: word!(PendingAtAlarm, parameters.pending_at_alarm),
+    },
+    Parameter {
         key: "tips.T0",
         meaning: "imaginary tip of orientation 0, as signs of (a, b)",
         clause: clause::TRC_TIP_01,

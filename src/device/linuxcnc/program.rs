@@ -105,7 +105,8 @@ impl State {
             if radius.is_negative() {
                 return unsupported("a negative radius");
             }
-            if self.side.is_some() && *radius != self.radius && !matches!(block.compensation, Some(Compensation::On(_))) {
+            if self.side.is_some() && *radius != self.radius && !matches!(block.compensation, Some(Compensation::On(_)))
+            {
                 return unsupported("another radius while compensation is on");
             }
             self.radius.clone_from(radius);
