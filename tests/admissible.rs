@@ -85,10 +85,10 @@ fn the_exact_outcome_is_admissible_without_any_band() {
     }
 }
 
-/// The program with each point moved by 0.9 of the band in either coordinate, one way or the other. Points that are one
+/// The program with each point moved by half of the band in either coordinate, one way or the other. Points that are one
 /// stay one: a move of no length has no direction that a small change could give it.
 fn shaken(blocks: &[Block<Rational>], beta: f64, seed: usize) -> Blocks {
-    let step = Rational::from_f64(beta * 0.9).expect("finite");
+    let step = Rational::from_f64(beta * 0.5).expect("finite");
     let mut signs = seed;
     let mut shake = |value: &mut Rational| {
         signs = signs.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

@@ -45,8 +45,8 @@ impl Sweep {
     }
 }
 
-/// Whether the programmed sweep G in (0°, 360°] and the tool's sweep T in [0°, 360°) differ by more than 180°; `error` is
-/// that of the arc's rays together, in units of rounding.
+/// Whether the programmed sweep G in (0°, 360°] and the tool's sweep T in [0°, 360°) differ by more than 180°: a tool that
+/// would run past a full turn takes the short way instead, [TRC-SIDE-08]. `error` is that of the arc's rays together, in units of rounding.
 #[inline]
 fn arc_reversed(arc: &Arc, error: f64, from: Vector, to: Vector, scale: f64) -> bool {
     let programmed = Sweep::between(arc.swept_from, arc.end_ray, arc.sense, error);
