@@ -21,7 +21,22 @@ static const char PROFILE[] =
     "corner-owner = next\n"
     "reversed-path = advisory\n"
     "arc-end-tolerance = 0.01\n"
-    "far-intersection = 5\n";
+    "far-intersection = 5\n"
+    "start-up-b = via-normal\n"
+    "start-up-without-movement = none\n"
+    "start-up-arc = alarm\n"
+    "cancel-without-movement = none\n"
+    "corner-limit-cosine = 0\n"
+    "arc-extension = tangent\n"
+    "smallest-corner-cosine = 0\n"
+    "straight-band-cosine = 0\n"
+    "arc-on-rapid = arc\n"
+    "small-vector-limit = 0\n"
+    "same-code = ordinary\n"
+    "negative-radius = alarm\n"
+    "equal-radius = alarm\n"
+    "zero-length-move = no-movement\n"
+    "pending-at-alarm = ended\n";
 
 /* A tool of radius 5 mm runs left of a contour with an inner and an outer corner and an arc. */
 static const radcomp_block PROGRAM[] = {

@@ -1,10 +1,11 @@
 ; Start-up and cancel are mirror images
 ;
-; Clauses: [TRC-START-02], [TRC-CANCEL-01], [TRC-CANCEL-02]
+; Clauses: [TRC-START-02], [TRC-START-08], [TRC-CANCEL-01], [TRC-CANCEL-02], [TRC-CANCEL-06]
 ;
 ; Take any start-up: from S in a straight line to P + r·n(u2) on side σ. Run the program backwards on the other side:
 ; the element behind P ends there with the tangent -u2, and the cancel block goes from the vector that it leaves to S.
-; The vector is the same point, so that the two moves are one segment in opposite directions.
+; The vector is the same point, so that the two moves are one segment in opposite directions. With S = P that
+; is start-up and cancel without movement, type C.
 ;
 ; Twin replaces: (* (- sigma) (- ua))
 ; Twin has:      (* sigma (- ua))

@@ -3,7 +3,9 @@
 
 use radcomp_impl::{Engine, Sink};
 use radcomp_spec::parameters::*;
-use radcomp_spec::{Alarm, Block, Centre, Compensation, Direction, Movement, Parameters, Segment, Side, Step};
+use radcomp_spec::{
+    Alarm, AlarmKind, Block, Centre, Compensation, Direction, Movement, Parameters, Segment, Side, Step,
+};
 
 use crate::{Choice, reached};
 
@@ -41,31 +43,69 @@ fn is_finite(segment: &Segment<f64>) -> bool {
 
 /// Any parameters.
 pub fn parameters(choice: &mut impl Choice) -> Parameters {
+    // The least cosine or limit means that there is none, where a profile may say so.
+    let cosines = [NONE, Ratio { numerator: 3, denominator: 5 }, Ratio { numerator: 1, denominator: 1 }];
     Parameters {
-        outer_corner: choice.of(&[OuterCorner::Intersection, OuterCorner::Arc]),
+        start_up: choice.of(&[StartUp::TypeA, StartUp::TypeB, StartUp::EntryNormal]),
+        start_up_b: choice.of(&[StartUpB::ViaNormal, StartUpB::Direct]),
+        outer_corner: choice.of(&[OuterCorner::Intersection, OuterCorner::Arc, OuterCorner::LimitAngle]),
         reversal: choice.of(&[Reversal::Outer, Reversal::Alarm]),
+        side_change: choice.of(&[
+            SideChange::IntersectionWithin,
+            SideChange::Intersection,
+            SideChange::Crossing,
+            SideChange::TwoNormals,
+            SideChange::Forbidden,
+        ]),
         corner_owner: choice.of(&[CornerOwner::Next, CornerOwner::Previous]),
         reversed_path: choice.of(&[ReversedPath::Advisory, ReversedPath::Alarm]),
+        corner_limit_cosine: choice.of(&cosines),
+        arc_extension: choice.of(&[ArcExtension::Tangent, ArcExtension::Curve]),
+        smallest_corner_cosine: choice.of(&cosines),
+        straight_band_cosine: choice.of(&cosines),
+        arc_on_rapid: choice.of(&[ArcOnRapid::Arc, ArcOnRapid::Line]),
+        small_vector_limit: choice.of(&cosines),
+        negative_radius: choice.of(&[NegativeRadius::Alarm, NegativeRadius::SwapsSides]),
+        equal_radius: choice.of(&[EqualRadius::Alarm, EqualRadius::DegeneratePoint]),
+        zero_length_move: choice.of(&[ZeroLengthMove::NoMovement, ZeroLengthMove::BreaksLookAhead]),
+        pending_at_alarm: choice.of(&[PendingAtAlarm::Ended, PendingAtAlarm::Lost]),
         ..crate::look_ahead::parameters(choice, MOST_NON_MOVING)
     }
 }
+
+const NONE: Ratio = Ratio { numerator: 0, denominator: 1 };
 
 /// The parameters of every harness whose subject is not the parameters.
 #[must_use]
 pub fn plain() -> Parameters {
     Parameters {
         start_up: StartUp::TypeA,
+        start_up_b: StartUpB::ViaNormal,
         start_up_lost: StartUpLost::Normal,
+        start_up_without_movement: StartUpWithoutMovement::None,
+        start_up_arc: StartUpArc::Alarm,
         cancel: Cancel::TypeA,
+        cancel_without_movement: CancelWithoutMovement::None,
         outer_corner: OuterCorner::Intersection,
         reversal: Reversal::Outer,
         side_change: SideChange::IntersectionWithin,
         side_change_after_start_up: SideChangeAfterStartUp::Allowed,
-        non_moving_allowed: 2,
+        non_moving_allowed: Some(2),
         corner_owner: CornerOwner::Next,
         reversed_path: ReversedPath::Alarm,
         arc_end_tolerance: Ratio { numerator: 1, denominator: 100 },
         far_intersection: Ratio { numerator: 5, denominator: 1 },
+        corner_limit_cosine: NONE,
+        arc_extension: ArcExtension::Tangent,
+        smallest_corner_cosine: NONE,
+        straight_band_cosine: NONE,
+        arc_on_rapid: ArcOnRapid::Arc,
+        small_vector_limit: NONE,
+        same_code: SameCode::Ordinary,
+        negative_radius: NegativeRadius::Alarm,
+        equal_radius: EqualRadius::Alarm,
+        zero_length_move: ZeroLengthMove::NoMovement,
+        pending_at_alarm: PendingAtAlarm::Ended,
     }
 }
 
@@ -99,7 +139,14 @@ pub fn block(choice: &mut impl Choice, kinds: u8) -> Block<f64> {
         rapid: choice.flag(),
         compensation: choice.of(&[None, Some(left), Some(right), Some(Compensation::Off)]),
         radius: if choice.flag() { Some(choice.number()) } else { None },
-        corner: choice.of(&[None, Some(OuterCorner::Intersection), Some(OuterCorner::Arc)]),
+        corner: choice.of(&[
+            None,
+            Some(OuterCorner::Intersection),
+            Some(OuterCorner::Arc),
+            Some(OuterCorner::LimitAngle),
+        ]),
+        stops_look_ahead: choice.flag(),
+        not_in_mode: choice.of(&[None, Some(AlarmKind::ToolChangeInMode)]),
     }
 }
 

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use radcomp_proofs::choice::{Bytes, Exhaustive, Visited};
 use radcomp_proofs::engine::{after_an_alarm, one_block, parameters, plain, programs};
 use radcomp_spec::Parameters;
-use radcomp_spec::parameters::{CornerOwner, OuterCorner, Reversal, ReversedPath, SideChange};
+use radcomp_spec::parameters::*;
 
 /// Whole, extreme, and no numbers.
 const NUMBERS: &[f64] = &[0.0, 1.0, -2.5, 1e9, -1.0000001e9, 5e-324, f64::INFINITY, f64::NAN];
@@ -26,15 +26,47 @@ fn every_block_after_an_alarm() {
     tell("a block after an alarm", &visited, &["an alarm"]);
 }
 
-/// The choices of a profile that the shape of corners hangs on.
+/// Sixteen profiles that mix the rules of corners, changes of side, start-up and cancel: each value written below comes in
+/// some of them, beside others of each of the other parameters.
 fn profiles() -> impl Iterator<Item = Parameters> {
-    (0..16).map(|bits| Parameters {
-        outer_corner: if bits & 1 == 0 { OuterCorner::Intersection } else { OuterCorner::Arc },
-        reversal: if bits & 2 == 0 { Reversal::Outer } else { Reversal::Alarm },
-        corner_owner: if bits & 4 == 0 { CornerOwner::Next } else { CornerOwner::Previous },
-        reversed_path: if bits & 8 == 0 { ReversedPath::Advisory } else { ReversedPath::Alarm },
-        side_change: if bits & 1 == 0 { SideChange::IntersectionWithin } else { SideChange::TwoNormals },
-        ..plain()
+    (0..16_usize).map(|number| {
+        let bit = |mask: usize| (number & mask).count_ones() % 2 == 1;
+        let sides =
+            [SideChange::IntersectionWithin, SideChange::Intersection, SideChange::Crossing, SideChange::TwoNormals];
+        let limit = |mask| Ratio { numerator: if bit(mask) { 3 } else { 0 }, denominator: 5 };
+        Parameters {
+            outer_corner: match (bit(1), bit(2)) {
+                (false, false) => OuterCorner::Intersection,
+                (false, true) => OuterCorner::LimitAngle,
+                (true, _) => OuterCorner::Arc,
+            },
+            start_up: match (bit(4), bit(8)) {
+                (false, _) => StartUp::TypeA,
+                (true, false) => StartUp::TypeB,
+                (true, true) => StartUp::EntryNormal,
+            },
+            side_change: sides[number / 2 % 4],
+            reversal: if bit(3) { Reversal::Alarm } else { Reversal::Outer },
+            corner_owner: if bit(5) { CornerOwner::Previous } else { CornerOwner::Next },
+            reversed_path: if bit(6) { ReversedPath::Alarm } else { ReversedPath::Advisory },
+            cancel: if bit(7) { Cancel::TypeB } else { Cancel::TypeA },
+            cancel_without_movement: if bit(9) { CancelWithoutMovement::Shift } else { CancelWithoutMovement::None },
+            start_up_without_movement: if bit(10) {
+                StartUpWithoutMovement::Shift
+            } else {
+                StartUpWithoutMovement::None
+            },
+            start_up_arc: if bit(11) { StartUpArc::MovedCentre } else { StartUpArc::Alarm },
+            arc_extension: if bit(12) { ArcExtension::Curve } else { ArcExtension::Tangent },
+            start_up_b: if bit(13) { StartUpB::Direct } else { StartUpB::ViaNormal },
+            equal_radius: if bit(14) { EqualRadius::DegeneratePoint } else { EqualRadius::Alarm },
+            same_code: if bit(15) { SameCode::Normal } else { SameCode::Ordinary },
+            corner_limit_cosine: limit(8),
+            smallest_corner_cosine: limit(10),
+            straight_band_cosine: limit(13),
+            small_vector_limit: limit(14),
+            ..plain()
+        }
     })
 }
 

@@ -173,15 +173,15 @@ fn errors_are_alarms_at_their_block() {
     stops("G01 X10\nG04 P0\nG03 X10 Y0 I0 J0\n", &["0 line 10 0", "1 hold"], 2, AlarmKind::CentreAtEnd);
     stops("G01 X10\nG03 X20 Y0 R1\n", &["0 line 10 0"], 1, AlarmKind::NoSuchArc);
     stops("G41 D1 G01 X10 Y0\nG03 X10 Y2 I0 J1\nG01 X0\n", &[], 1, AlarmKind::RadiusTooSmall);
+    stops("G41 D1 G01 X1 Y0\nX20\nG40 X30\n", &[], 0, AlarmKind::EntryTooShort);
+    stops(
+        "G41 D1 G01 X10 Y0\nX20\nG40\nG02 X30 Y0 I5 J0\n",
+        &["0 line 10 2", "1 line 20 2", "2 hold"],
+        3,
+        AlarmKind::ArcAtCancel,
+    );
     // A step of 1 mm is too short for a tool of 2 mm: it would run backwards.
     stops("G41 D1 G01 X10 Y0\nX11\nY20\nX30\n", &["0 line 10 2"], 1, AlarmKind::ReversedLine);
-}
-
-#[test]
-fn an_error_that_is_no_alarm_is_told() {
-    let fault = answer("G41 D1 G01 X1 Y0\nX20\nG40 X30\n").unwrap_err();
-    assert_eq!(fault.id(), "garbled");
-    assert!(fault.text().contains("at N1") && fault.text().contains("entry move"), "{fault}");
 }
 
 #[test]

@@ -77,6 +77,9 @@
 // Outer corners by an arc.
 #define RADCOMP_CORNER_ARC 2
 
+// Outer corners by intersection down to the limit angle of the profile, by an arc below it.
+#define RADCOMP_LIMIT_ANGLE 3
+
 // How long a name may be, with the zero at its end.
 #define RADCOMP_NAME 48
 
@@ -99,8 +102,10 @@ typedef struct {
   uint32_t rapid;
   // RADCOMP_UNCHANGED, RADCOMP_OFF, RADCOMP_LEFT or RADCOMP_RIGHT.
   uint32_t compensation;
-  // RADCOMP_UNCHANGED, RADCOMP_INTERSECTION or RADCOMP_CORNER_ARC.
+  // RADCOMP_UNCHANGED, RADCOMP_INTERSECTION, RADCOMP_CORNER_ARC or RADCOMP_LIMIT_ANGLE.
   uint32_t corner;
+  // Not 0: a code that loses the look-ahead.
+  uint32_t stops_look_ahead;
   // Not 0: the block puts `radius` in force.
   uint32_t has_radius;
   // The tool radius.
@@ -109,6 +114,9 @@ typedef struct {
   double end[2];
   // The centre of an arc.
   double centre[2];
+  // The alarm of a code that is not for offset mode, such as "tool-change-in-mode", with a zero at its end; empty for
+  // none.
+  char not_in_mode[RADCOMP_NAME];
 } radcomp_block;
 
 // One element of the path of the tool's centre, from where the one before ended.

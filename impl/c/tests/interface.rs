@@ -8,7 +8,11 @@ use radcomp_c::*;
 
 const PROFILE: &str = "start-up = type-a\nstart-up-lost = normal\ncancel = type-a\nouter-corner = intersection\n\
     reversal = outer\nside-change = intersection-within\nside-change-after-start-up = alarm\nnon-moving-allowed = 2\n\
-    corner-owner = next\nreversed-path = advisory\narc-end-tolerance = 0.01\nfar-intersection = 5\n";
+    corner-owner = next\nreversed-path = advisory\narc-end-tolerance = 0.01\nfar-intersection = 5\n\
+    start-up-b = via-normal\nstart-up-without-movement = none\nstart-up-arc = alarm\ncancel-without-movement = none\n\
+    corner-limit-cosine = 0\narc-extension = tangent\nsmallest-corner-cosine = 0\nstraight-band-cosine = 0\n\
+    arc-on-rapid = arc\nsmall-vector-limit = 0\nsame-code = ordinary\nnegative-radius = alarm\nequal-radius = alarm\n\
+    zero-length-move = no-movement\npending-at-alarm = ended\n";
 
 fn new(memory: &mut [u8], profile: &str) -> (i32, *mut radcomp_state) {
     let text = CString::new(profile).unwrap();
@@ -72,7 +76,7 @@ fn null_pointers_short_buffers_and_values_that_are_none() {
             radcomp_block { movement: 9, ..line },
             radcomp_block { direction: 2, ..line },
             radcomp_block { compensation: 4, ..line },
-            radcomp_block { corner: 3, ..line },
+            radcomp_block { corner: 4, ..line },
         ] {
             assert_eq!(radcomp_push(state, &wrong, to, room, &mut count, &mut alarm), RADCOMP_BLOCK);
         }

@@ -187,6 +187,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn an_error_that_is_no_alarm_is_told() {
+        let fault = alarm("Bad character used", 4, &[]).unwrap_err();
+        assert_eq!(fault.id(), "garbled");
+        assert!(fault.text().contains("at N5") && fault.text().contains("Bad character used"), "{fault}");
+    }
+
+    #[test]
     fn every_message_of_the_table_is_an_alarm_of_the_specification() {
         for message in &TABLE.message {
             assert!(AlarmKind::ALL.iter().any(|kind| kind.id() == message.alarm), "{}", message.alarm);

@@ -1,0 +1,225 @@
+//! Stands in for the geometry: answers as it is told, and watches what it is asked to emit and in which order.
+
+use radcomp_impl::geometry::{Begin, End, Event, Geometry, Meeting};
+use radcomp_spec::parameters::StartUpLost;
+use radcomp_spec::{Alarm, AlarmKind, Clause, Compensation, Parameters, Side};
+
+use crate::{Choice, reached};
+
+/// What has been emitted, and what is owed.
+#[derive(Clone, Debug)]
+pub(super) struct Watch {
+    /// The block whose own steps come next.
+    pub next: usize,
+    /// The block read.
+    pub read: usize,
+    /// The pending element.
+    pub pending: Option<Awaited>,
+    /// The rapid flag of block n, at bit n modulo 128: no more than a hundred blocks are ever owed.
+    rapid: u128,
+    /// A start-up without next element has no vector. [TRC-START-04]
+    no_vector: bool,
+    /// The side that the codes ask for. [TRC-MODE-02]
+    pub asked: Option<Side>,
+    /// What the block read has done so far.
+    now: Now,
+}
+
+/// The pending element, as it was begun.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Awaited {
+    pub block: usize,
+    pub begin: Begin,
+    side: Side,
+    /// It is an entry move.
+    entry: bool,
+}
+
+/// What one block has done.
+#[derive(Clone, Copy, Debug, Default)]
+struct Now {
+    /// The side in force. [TRC-SIDE-07]
+    side: Option<Side>,
+    /// It is an entry move.
+    entry: bool,
+    /// A junction has been formed, and not ended at yet.
+    formed: bool,
+    /// The element before it has ended at a junction.
+    joined: bool,
+    /// The moves of that junction that come behind its first vector are owed.
+    owed: bool,
+}
+
+/// The geometry.
+pub(super) struct Answers<'a, C> {
+    pub watch: &'a mut Watch,
+    pub choice: &'a mut C,
+}
+
+impl Watch {
+    pub fn new(parameters: &Parameters) -> Watch {
+        let no_vector = parameters.start_up_lost == StartUpLost::NoVector;
+        Watch { next: 0, read: 0, pending: None, rapid: 0, no_vector, asked: None, now: Now::default() }
+    }
+
+    /// A block begins to be read.
+    pub fn begin_block(&mut self, event: Event) {
+        let bit = 1 << (self.read % 128);
+        self.rapid = if event.rapid { self.rapid | bit } else { self.rapid & !bit };
+        match event.code {
+            Some(Compensation::On(side)) => self.asked = Some(side),
+            Some(Compensation::Off) => self.asked = None,
+            None => {}
+        }
+        let side = self.asked.map(|side| if event.swapped { side.other() } else { side });
+        self.now = Now { side, ..Now::default() };
+    }
+
+    pub fn rapid(&self, block: usize) -> bool {
+        self.rapid >> (block % 128) & 1 == 1
+    }
+
+    /// All before the alarm's block has been handed on, and nothing of it or after it.
+    pub fn stopped(&self, alarm: Alarm) {
+        assert!(alarm.block <= self.read && self.next == alarm.block, "an alarm stops before its block");
+    }
+
+    fn emit(&mut self, block: usize) {
+        assert!(block == self.next, "blocks are handed on in order, none lost and none twice");
+        self.next += 1;
+    }
+
+    /// A block has been read without an alarm.
+    pub fn end_block(&mut self) {
+        assert!(!self.now.owed, "behind a junction comes an element or its corner moves");
+        self.read += 1;
+    }
+
+    /// Nothing is owed but the block read.
+    fn is_at_its_place(&self) -> bool {
+        self.pending.is_none() && self.next == self.read
+    }
+}
+
+impl Awaited {
+    /// It is a start-up block of type A or B.
+    fn starts_up(&self) -> bool {
+        self.begin == Begin::StartUp && !self.entry
+    }
+}
+
+impl<C: Choice> Geometry for Answers<'_, C> {
+    type Junction = ();
+
+    fn tool_fits(&mut self, side: Side) -> bool {
+        assert!(Some(side) == self.watch.now.side, "the tool is on the side in force");
+        self.choice.flag()
+    }
+
+    fn enter(&mut self, side: Side) -> Result<(), AlarmKind> {
+        assert!(Some(side) == self.watch.now.side, "an entry move is on the side in force");
+        assert!(self.watch.is_at_its_place(), "an entry move follows what has been settled");
+        if self.choice.flag() {
+            reached!(self.choice, "an entry move");
+            self.watch.now.entry = true;
+            Ok(())
+        } else {
+            Err(AlarmKind::EntryTooShort)
+        }
+    }
+
+    fn junction(&mut self, meeting: Meeting, side: Side) -> Result<(), AlarmKind> {
+        let pending = self.watch.pending.expect("a junction has an element before it");
+        let (same, in_force) = (side == pending.side, Some(side) == self.watch.now.side);
+        let follows_an_element = !pending.starts_up() && pending.begin != Begin::Shift;
+        let right = match meeting {
+            Meeting::StartUp => pending.starts_up(),
+            Meeting::Shift => pending.begin == Begin::Shift,
+            Meeting::Corner => follows_an_element && same,
+            Meeting::SideChange => follows_an_element && !same,
+            // A start-up block before a cancel block has no corner, of whatever type it is. [TRC-CANCEL-05]
+            Meeting::Cancel => pending.begin != Begin::StartUp && follows_an_element && same,
+        };
+        assert!(right, "elements meet as they were begun");
+        assert!(in_force || meeting == Meeting::Cancel, "an element is met on the side in force");
+        match meeting {
+            Meeting::StartUp => reached!(self.choice, "a start-up"),
+            Meeting::Shift => reached!(self.choice, "a start-up without movement"),
+            Meeting::Corner => reached!(self.choice, "a corner"),
+            Meeting::SideChange => reached!(self.choice, "a change of side"),
+            Meeting::Cancel => reached!(self.choice, "a cancel of type B"),
+        }
+        self.watch.now.formed = self.choice.flag();
+        if self.watch.now.formed { Ok(()) } else { Err(AlarmKind::NoIntersection) }
+    }
+
+    fn settle(&mut self, end: End<()>, start_up: bool) -> Result<(), AlarmKind> {
+        let pending = self.watch.pending.take().expect("an element is pending");
+        let starts = pending.starts_up();
+        assert!(start_up == (starts || pending.begin == Begin::Shift), "a start-up block is settled as one");
+        let formed = std::mem::take(&mut self.watch.now.formed);
+        match end {
+            End::Junction(()) => assert!(formed, "an element ends at the junction just formed"),
+            End::Normal(_) => {
+                assert!(!formed, "a junction just formed is ended at");
+                // [TRC-START-08]
+                assert!(pending.begin != Begin::Shift, "a start-up without movement ends at a junction or is none");
+            }
+            End::Programmed(_) => {
+                reached!(self.choice, "a start-up without vector");
+                assert!(starts && self.watch.no_vector, "a start-up block alone ends at its programmed end");
+            }
+        }
+        if self.choice.flag() {
+            (self.watch.now.joined, self.watch.now.owed) = (formed, formed);
+            self.watch.emit(pending.block);
+            Ok(())
+        } else {
+            reached!(self.choice, "an alarm at the pending block");
+            Err(AlarmKind::ReversedLine)
+        }
+    }
+
+    fn hold(&mut self, block: usize, rapid: bool, _: Clause) {
+        assert!(rapid == self.watch.rapid(block), "a block keeps its rate");
+        if let Some(pending) = self.watch.pending.take() {
+            reached!(self.choice, "a start-up without movement that is none");
+            assert!(pending.begin == Begin::Shift && pending.block == block, "a block that moves is settled");
+        } else if block < self.watch.read {
+            reached!(self.choice, "a block held and handed on later");
+        }
+        self.watch.emit(block);
+    }
+
+    fn corner_moves(&mut self) {
+        reached!(self.choice, "corner moves that the block read owns");
+        assert!(self.watch.is_at_its_place(), "the corner moves of a block come at its place");
+        assert!(self.watch.now.joined, "corner moves are of the junction just formed");
+        self.watch.now.owed = false;
+    }
+
+    fn retreat(&mut self) {
+        reached!(self.choice, "a cancel without movement");
+        assert!(self.watch.pending.is_none(), "the element before has ended");
+        self.watch.emit(self.watch.read);
+    }
+
+    fn follow(&mut self, _: Clause) {
+        assert!(self.watch.pending.is_none(), "the element before has ended");
+        self.watch.emit(self.watch.read);
+    }
+
+    fn begin(&mut self, begin: Begin, side: Side) {
+        assert!(self.watch.is_at_its_place(), "one element pends at a time");
+        let Now { entry, joined, side: in_force, .. } = self.watch.now;
+        assert!(Some(side) == in_force, "an element begins on the side in force");
+        match begin {
+            Begin::StartUp => {}
+            Begin::Shift => assert!(!entry, "an entry move moves"),
+            Begin::Junction => assert!(joined && !entry, "the junction behind which an element begins is formed"),
+            Begin::Settled => assert!(!joined && !entry, "no junction is formed twice"),
+        }
+        self.watch.now.owed = false;
+        self.watch.pending = Some(Awaited { block: self.watch.read, begin, side, entry });
+    }
+}
