@@ -44,19 +44,47 @@ pub(crate) const MOST_BITS: i64 = 60_000;
 
 /// Runs the model with other answers to the decisions inside the band, nearest to the exact outcome first, until
 /// `receive` is content. Answers the accepted flips, or whether the bound was hit.
+///
+/// First margins up to a few bands wide are taken to be inside, and what is accepted is followed back to the program's
+/// numbers; where that finds nothing, and some wider margin is inside all the same, every margin is followed back.
 pub(crate) fn find(
     parameters: &Parameters,
     blocks: &[Block<Rational>],
     beta: f64,
     mut receive: impl FnMut(&Run) -> Reception,
 ) -> Result<Vec<Flip>, Exhausted> {
+    let traced = Band { beta, traced: true };
+    let near = match search(parameters, blocks, Band { beta, traced: false }, |branch| match receive(&branch.run) {
+        Reception::Accepted if !branch.is_reachable(parameters, blocks, traced) => Reception::Refused(usize::MAX),
+        reception => reception,
+    }) {
+        Err(near) => near,
+        found => return found,
+    };
+    let Some(base) = Branch::run(parameters, blocks, traced, &[]) else { return Err(near) };
+    let useful = match receive(&base.run) {
+        Reception::Accepted => usize::MAX,
+        Reception::Refused(useful) => useful,
+    };
+    let wide = |choice: &Choice| choice.elements <= useful && !choice.is_near;
+    if !base.choices.iter().any(wide) {
+        return Err(near);
+    }
+    search(parameters, blocks, traced, |branch| receive(&branch.run))
+}
+
+fn search(
+    parameters: &Parameters,
+    blocks: &[Block<Rational>],
+    band: Band,
+    mut receive: impl FnMut(&Branch<'_>) -> Reception,
+) -> Result<Vec<Flip>, Exhausted> {
     // Each script answers the first in-band decisions; the rest are answered exactly.
     let mut scripts = VecDeque::from([Vec::<Ordering>::new()]);
     let (mut limit_hit, mut dead_end) = (false, false);
-    let traced = Branch::run(parameters, blocks, Band { beta, traced: true }, &[]).is_some();
     for _ in 0..MOST_FORKS {
         let Some(script) = scripts.pop_front() else { return Err(Exhausted { limit_hit, dead_end }) };
-        let Some(branch) = Branch::run(parameters, blocks, Band { beta, traced }, &script) else {
+        let Some(branch) = Branch::run(parameters, blocks, band, &script) else {
             limit_hit = true;
             continue;
         };
@@ -64,8 +92,8 @@ pub(crate) fn find(
             dead_end = true;
             usize::MAX
         } else {
-            match receive(&branch.run) {
-                Reception::Accepted => return Ok(branch.flips),
+            match receive(&branch) {
+                Reception::Accepted => return Ok(branch.flips.into_iter().map(|(_, flip)| flip).collect()),
                 Reception::Refused(useful) => useful,
             }
         };
@@ -100,6 +128,8 @@ struct Choice {
     exact: Ordering,
     /// Where the margin may go.
     reach: (f64, f64),
+    /// The margin is up to a few bands wide.
+    is_near: bool,
 }
 
 impl Choice {
@@ -123,8 +153,7 @@ fn reaches((low, high): (f64, f64), answer: Ordering) -> bool {
 #[derive(Clone, Copy)]
 struct Band {
     beta: f64,
-    /// Whether every margin is followed back to the program's numbers. Where that takes too many bits, margins up to a
-    /// few bands wide are taken to be inside.
+    /// Whether every margin is followed back to the program's numbers.
     traced: bool,
 }
 
@@ -132,11 +161,8 @@ struct Band {
 const SEVERAL: f64 = 8.0;
 
 impl Band {
-    /// Where a margin may go.
-    fn reach(self, margin: &Real) -> (f64, f64) {
-        if self.traced {
-            return margin.reach(self.beta);
-        }
+    /// A few bands about a margin.
+    fn near(self, margin: &Real) -> (f64, f64) {
         let (low, high) = margin.filter();
         (low - SEVERAL * self.beta, high + SEVERAL * self.beta)
     }
@@ -145,21 +171,45 @@ impl Band {
 /// A run of the model on one choice of branches.
 struct Branch<'a> {
     band: Band,
-    script: &'a [Ordering],
+    /// Answers to the decisions inside the band, or to those with these numbers.
+    answers: Answers<'a>,
+    /// How many decisions have been taken.
+    taken: usize,
     run: Run,
     choices: Vec<Choice>,
-    flips: Vec<Flip>,
+    /// The decisions answered otherwise, with their numbers.
+    flips: Vec<(usize, Flip)>,
+}
+
+/// How decisions are answered.
+#[derive(Clone, Copy)]
+enum Answers<'a> {
+    /// Those inside the band, in their order.
+    Script(&'a [Ordering]),
+    /// As these flips say, by the numbers of the decisions.
+    Flips(&'a [(usize, Flip)]),
 }
 
 impl<'a> Branch<'a> {
     /// None if a sign takes too many bits.
     fn run(parameters: &Parameters, blocks: &[Block<Rational>], band: Band, script: &'a [Ordering]) -> Option<Self> {
-        let engine = if band.traced { Engine::on_inputs(parameters) } else { Engine::new(parameters) };
-        within_bits(MOST_BITS, || Branch::follow(engine, blocks, band, script))
+        Branch::answered(parameters, blocks, band, Answers::Script(script))
     }
 
-    fn follow(mut engine: Engine, blocks: &[Block<Rational>], band: Band, script: &'a [Ordering]) -> Self {
-        let mut branch = Branch { band, script, run: Run::default(), choices: Vec::new(), flips: Vec::new() };
+    fn answered(parameters: &Parameters, blocks: &[Block<Rational>], band: Band, answers: Answers<'a>) -> Option<Self> {
+        let engine = if band.traced { Engine::on_inputs(parameters) } else { Engine::new(parameters) };
+        within_bits(MOST_BITS, || Branch::follow(engine, blocks, band, answers))
+    }
+
+    /// Whether some input inside the band takes each of the flips; it is taken to, if that takes too many bits.
+    fn is_reachable(&self, parameters: &Parameters, blocks: &[Block<Rational>], traced: Band) -> bool {
+        let followed = Branch::answered(parameters, blocks, traced, Answers::Flips(&self.flips));
+        followed.is_none_or(|followed| followed.flips.len() == self.flips.len())
+    }
+
+    fn follow(mut engine: Engine, blocks: &[Block<Rational>], band: Band, answers: Answers<'a>) -> Self {
+        let mut branch =
+            Branch { band, answers, taken: 0, run: Run::default(), choices: Vec::new(), flips: Vec::new() };
         let ended = blocks
             .iter()
             .try_for_each(|block| engine.push(block, &mut branch))
@@ -183,19 +233,30 @@ impl Sink for Branch<'_> {
     }
 
     fn decide(&mut self, decision: Decision) -> Ordering {
+        let number = self.taken;
+        self.taken += 1;
         if !decision.kind.shapes_the_path() {
             return decision.exact;
         }
         let exact = decision.exact;
-        let reach = self.band.reach(&decision.margin);
-        let choice = Choice { elements: self.run.steps.len(), taken: exact, exact, reach };
+        let near = self.band.near(&decision.margin);
+        let reach = if self.band.traced { decision.margin.reach(self.band.beta) } else { near };
+        let is_near = near.0 <= 0.0 && near.1 >= 0.0;
+        let choice = Choice { elements: self.run.steps.len(), taken: exact, exact, reach, is_near };
         if choice.others().next().is_none() {
             return exact;
         }
-        let taken = self.script.get(self.choices.len()).copied().unwrap_or(exact);
+        let taken = match self.answers {
+            Answers::Script(script) => script.get(self.choices.len()).copied().unwrap_or(exact),
+            Answers::Flips(flips) => {
+                let flip = flips.iter().find(|(flipped, _)| *flipped == number).map(|(_, flip)| flip.taken);
+                flip.filter(|taken| reaches(reach, *taken)).unwrap_or(exact)
+            }
+        };
         if taken != exact {
             let margin = decision.margin.to_f64();
-            self.flips.push(Flip { block: decision.block, kind: decision.kind, margin, exact, taken });
+            let flip = Flip { block: decision.block, kind: decision.kind, margin, exact, taken };
+            self.flips.push((number, flip));
         }
         self.choices.push(Choice { taken, ..choice });
         taken

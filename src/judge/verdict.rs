@@ -96,12 +96,8 @@ fn measure(
     let beta = budget.beta(blocks);
     let search = Search { parameters, blocks, answer, beta, tolerance: Tolerance::new(budget.delta, beta) };
     let Some(divergence) = search.divergence(exact) else { return Verdict::Exact };
-    // What lies within a part of the band lies within it; where the point follows unevenly, small steps find it.
-    for share in [1.0, 1.0 / 32.0, 1.0 / 1024.0] {
-        let narrower = Search { beta: beta * share, ..search };
-        if let Some(witness) = narrower.for_points(exact) {
-            return Verdict::Admissible(witness);
-        }
+    if let Some(witness) = search.for_points(exact) {
+        return Verdict::Admissible(witness);
     }
     let receive = |run: &Run| match search.divergence(run) {
         None => Reception::Accepted,

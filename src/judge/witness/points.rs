@@ -10,8 +10,10 @@ use crate::judge::{Difference, Divergence, Shape, Stroke};
 
 /// How often an input is improved before the search is given up.
 const MOST_ROUNDS: usize = 12;
+/// The parts of the band that are searched, one after the other.
+const NARROWER: [f64; 3] = [1.0, 1.0 / 32.0, 1.0 / 1024.0];
 /// The shares of the band that neighbours stand off.
-const SHARES: [f64; 4] = [0.5, -0.5, 1.0 / 64.0, -1.0 / 64.0];
+const SHARES: [f64; 2] = [0.5, -0.5];
 /// A point that is farther off than so many bands is not looked for, except at the end of a wedge a kilometre long.
 const FARTHEST: f64 = 1e9;
 /// How often a step that does not help is halved.
@@ -42,33 +44,36 @@ impl Search<'_> {
         if gap[0].hypot(gap[1]) > self.beta * (a * a + b * b).max(FARTHEST) {
             return None;
         }
-        self.improved(self.blocks.to_vec(), divergence)
+        if !can_close(&self.levers(self.blocks, &divergence)?, gap, self.beta) {
+            return None;
+        }
+        // What lies within a part of the band lies within it; where the point follows unevenly, small steps find it.
+        NARROWER.iter().find_map(|share| {
+            let narrower = Search { beta: self.beta * share, ..*self };
+            narrower.improved(self.blocks.to_vec(), divergence.clone())
+        })
     }
 
     /// Looks for such an input from others than the program: one of its numbers moved to the edge of the band. They
     /// take branches that have no outcome at the program itself.
     pub(in crate::judge) fn beside_the_program(&self, divergence: &Divergence) -> Option<Witness> {
         let beta = Rational::from_f64(self.beta)?;
+        let mut best: Option<(Vec<Block<Rational>>, Divergence)> = None;
         for index in input::near(self.blocks, divergence.block) {
             for number in 0..input::numbers(&self.blocks[index]) {
                 for share in SHARES {
                     let off = Rational::from_f64(share)? * &beta;
                     let value = input::number_of(self.blocks, (index, number)) + off;
                     let start = input::with_alone(self.blocks, (index, number), value);
-                    match self.parting(&start) {
-                        None => {}
-                        Some(None) => return Some(self.nearest(start, &[])),
-                        Some(Some(left)) => {
-                            let found = self.improved(start, left);
-                            if found.is_some() {
-                                return found;
-                            }
-                        }
+                    let Some(left) = self.parting(&start)? else { return Some(self.nearest(start, &[])) };
+                    if is_nearer(&left, best.as_ref().map_or(divergence, |(_, known)| known)) {
+                        best = Some((start, left));
                     }
                 }
             }
         }
-        None
+        let (start, left) = best?;
+        self.improved(start, left)
     }
 
     fn improved(&self, mut best: Vec<Block<Rational>>, mut divergence: Divergence) -> Option<Witness> {
