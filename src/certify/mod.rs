@@ -6,6 +6,7 @@ mod programs;
 mod recorded;
 mod safety;
 mod tally;
+mod waivers;
 
 pub use campaign::{Campaign, Level, Outcome, certify};
 pub use failure::Failure;
@@ -13,3 +14,4 @@ pub use programs::programs;
 pub use recorded::Recorded;
 pub use safety::Safety;
 pub use tally::{ClauseTally, Tally};
+pub use waivers::{Waiver, WaiverError, Waivers};

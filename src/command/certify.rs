@@ -7,10 +7,11 @@ use std::thread;
 
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use radcomp::certify::{Campaign, Failure as Failed, Level, Outcome, certify};
-use radcomp::explain::first_sentence;
+use radcomp::certify::{Campaign, Failure as Failed, Level, Outcome, Waivers, certify};
+use radcomp::explain::{Axes, first_sentence};
 use radcomp::judge::{Budget, Grade, Verdict as Judgement};
-use radcomp::report::{BrokenRecord, Cause, Head, Report};
+use radcomp::plot::comparison;
+use radcomp::report::{BrokenRecord, Cause, DeviceRecord, ExpectedFailure, Head, Id, Report};
 use radcomp_spec::profile::Profile;
 
 use super::device::{self, DeviceLimits};
@@ -26,6 +27,10 @@ pub struct Certify {
     /// library) or linuxcnc (rs274); `radcomp ping` tests one
     #[arg(value_name = "DEVICE")]
     device: String,
+
+    /// The device's version, for the report; that of builtin is known
+    #[arg(long, value_name = "VERSION")]
+    device_version: Option<String>,
 
     #[command(flatten)]
     limits: DeviceLimits,
@@ -66,7 +71,7 @@ pub struct Certify {
     #[arg(long, value_name = "FILE.json")]
     report: Option<PathBuf>,
 
-    /// Write each smallest counterexample into this folder, as a program with its tool table
+    /// Write each smallest counterexample into this folder, as a program with its tool table and a picture
     #[arg(long, value_name = "FOLDER")]
     counterexamples: Option<PathBuf>,
 }
@@ -102,6 +107,8 @@ impl Certify {
         let campaign = self.campaign()?;
         let name = device::named(&self.device)?;
         device::knock(&name, &campaign.profile, self.limits.limits())?;
+        let device = DeviceRecord::of(&self.device, &name, self.device_version.clone())
+            .map_err(|reason| Failure::Input(format!("the device's file cannot be read: {reason}")))?;
         let mut out = terminal::output();
         writeln!(out, "certify {}, profile {}, level {}", self.device, campaign.profile.name, self.level)?;
         let grade = match campaign.budget.grade {
@@ -120,13 +127,14 @@ impl Certify {
         bar.finish_and_clear();
         print(&mut out, &outcome, &campaign.profile, self.allow_unsupported)?;
         out.flush()?;
+        let report = report(&device, self.level, &campaign, &outcome);
         if let Some(path) = &self.report {
             let unwritable = |reason| Failure::Input(format!("{} cannot be written: {reason}", path.display()));
             let file = fs::File::create(path).map_err(unwritable)?;
-            report(&self.device, &campaign, &outcome).write(BufWriter::new(file)).map_err(unwritable)?;
+            report.write(BufWriter::new(file)).map_err(unwritable)?;
         }
         if let Some(folder) = &self.counterexamples {
-            write_counterexamples(folder, &outcome, &campaign.profile)?;
+            write_counterexamples(folder, &outcome, &report, &campaign.profile)?;
         }
         Ok(if is_pass(&outcome, self.allow_unsupported) { Verdict::Green } else { Verdict::Red })
     }
@@ -153,6 +161,7 @@ impl Certify {
                 least_increment: f64::from(increment.numerator) / f64::from(increment.denominator),
                 delta: self.delta,
             },
+            waivers: Waivers::default(),
             threads: self.jobs.unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from)).clamp(1, 256),
             profile,
         })
@@ -280,31 +289,62 @@ fn counterexample(
     Ok(())
 }
 
-fn report(device: &str, campaign: &Campaign, outcome: &Outcome) -> Report {
-    let causes = outcome.groups.iter().map(|(name, count, smallest)| {
-        let listing = smallest.listing(&campaign.profile).ok();
-        let (program, tools) = listing.map(|listing| (listing.program, listing.tool_table)).unzip();
-        let safety = smallest.safety.as_ref().map(ToString::to_string);
-        Cause { cause: name.clone(), programs: *count, smallest: smallest.to_string(), safety, program, tools }
-    });
+fn report(device: &DeviceRecord, level: u8, campaign: &Campaign, outcome: &Outcome) -> Report {
+    let causes = outcome.groups.iter().map(|(name, count, smallest)| cause(name, *count, smallest, campaign, outcome));
     let broken = outcome.broken.iter().map(|(number, broken)| BrokenRecord::new(*number, broken));
     let head = Head {
         device,
+        level: Some(level),
         profile: &campaign.profile,
         seed: campaign.seed,
         generated_programs: campaign.programs,
         budget: &campaign.budget,
     };
-    Report::new(head, &outcome.tally, causes.collect(), broken.collect(), outcome.cases.clone())
+    let report = Report::new(head, &outcome.tally, causes.collect(), broken.collect(), outcome.cases.clone());
+    let expected = campaign.waivers.0.iter().enumerate().map(|(index, waiver)| ExpectedFailure {
+        clause: Id(waiver.clause),
+        program: waiver.program.clone(),
+        difference: waiver.difference.clone(),
+        reason: waiver.reason.clone(),
+        programs: outcome.expected.get(&index).copied().unwrap_or_default(),
+    });
+    Report { expected_failures: expected.collect(), ..report }
 }
 
-fn write_counterexamples(folder: &Path, outcome: &Outcome, profile: &Profile) -> Result<(), Failure> {
+fn cause(name: &str, programs: u64, smallest: &Failed, campaign: &Campaign, outcome: &Outcome) -> Cause {
+    let (program, tools) =
+        smallest.listing(&campaign.profile).ok().map(|listing| (listing.program, listing.tool_table)).unzip();
+    let cause = Cause {
+        cause: name.to_owned(),
+        programs,
+        smallest: smallest.to_string(),
+        clause: None,
+        sentence: None,
+        nearest: None,
+        safety: smallest.safety.as_ref().map(ToString::to_string),
+        program,
+        tools,
+        case: None,
+    };
+    let kept = || outcome.cases.find(&smallest.name, smallest.verdict.id()).cloned();
+    match smallest.case.as_deref().cloned().or_else(kept) {
+        Some(case) => cause.told_by(case, &campaign.profile.parameters),
+        None => cause,
+    }
+}
+
+fn write_counterexamples(folder: &Path, outcome: &Outcome, report: &Report, profile: &Profile) -> Result<(), Failure> {
+    let axes = Axes { plane: profile.machine.plane, x_words: profile.machine.x_words };
     fs::create_dir_all(folder)
         .map_err(|reason| Failure::Input(format!("{} cannot be made: {reason}", folder.display())))?;
-    for (index, (_, _, smallest)) in outcome.groups.iter().enumerate() {
+    for (index, ((name, _, smallest), cause)) in outcome.groups.iter().zip(&report.causes).enumerate() {
+        let picture = cause.case.as_ref().map(|case| comparison(case, &profile.parameters, axes, "c", name));
         if let Ok(listing) = smallest.listing(profile) {
             write(&folder.join(format!("{}.nc", index + 1)), &listing.program)?;
             write(&folder.join(format!("{}.tools.toml", index + 1)), &listing.tool_table)?;
+        }
+        if let Some(picture) = picture {
+            write(&folder.join(format!("{}.svg", index + 1)), &picture)?;
         }
     }
     Ok(())
