@@ -4,6 +4,7 @@ mod campaign;
 mod failure;
 mod programs;
 mod recorded;
+mod reported;
 mod safety;
 mod tally;
 mod waivers;

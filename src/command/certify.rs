@@ -11,7 +11,7 @@ use radcomp::certify::{Campaign, Failure as Failed, Level, Outcome, Waivers, cer
 use radcomp::explain::{Axes, first_sentence};
 use radcomp::judge::{Budget, Grade, Verdict as Judgement};
 use radcomp::plot::comparison;
-use radcomp::report::{BrokenRecord, Cause, DeviceRecord, ExpectedFailure, Head, Id, Report};
+use radcomp::report::{DeviceRecord, Report, junit, page};
 use radcomp_spec::profile::Profile;
 
 use super::device::{self, DeviceLimits};
@@ -71,6 +71,18 @@ pub struct Certify {
     #[arg(long, value_name = "FILE.json")]
     report: Option<PathBuf>,
 
+    /// Write a test case for each clause as JUnit XML, for continuous integration
+    #[arg(long, value_name = "FILE.xml")]
+    junit: Option<PathBuf>,
+
+    /// Write the report as one HTML page, with a picture of each cause
+    #[arg(long, value_name = "FILE.html")]
+    html: Option<PathBuf>,
+
+    /// Accept the failures that this file lists, each with its clause and reason; a waiver that covers none is an error
+    #[arg(long, value_name = "FILE.toml")]
+    waivers: Option<PathBuf>,
+
     /// Write each smallest counterexample into this folder, as a program with its tool table and a picture
     #[arg(long, value_name = "FOLDER")]
     counterexamples: Option<PathBuf>,
@@ -127,16 +139,35 @@ impl Certify {
         bar.finish_and_clear();
         print(&mut out, &outcome, &campaign.profile, self.allow_unsupported)?;
         out.flush()?;
-        let report = report(&device, self.level, &campaign, &outcome);
+        let report = outcome.report(&device, Some(self.level), &campaign);
         if let Some(path) = &self.report {
             let unwritable = |reason| Failure::Input(format!("{} cannot be written: {reason}", path.display()));
             let file = fs::File::create(path).map_err(unwritable)?;
             report.write(BufWriter::new(file)).map_err(unwritable)?;
         }
+        if let Some(path) = &self.junit {
+            write(path, &junit(&report).map_err(Failure::Input)?)?;
+        }
+        if let Some(path) = &self.html {
+            let file = self.report.as_ref().map_or("report.json".to_owned(), |path| path.display().to_string());
+            write(path, &page(&report, &file).map_err(Failure::Input)?)?;
+        }
         if let Some(folder) = &self.counterexamples {
             write_counterexamples(folder, &outcome, &report, &campaign.profile)?;
         }
+        let unused = report.expected_failures.iter().filter(|waiver| waiver.programs == 0);
+        let unused: Vec<_> = unused.map(|waiver| format!("{}: {}", waiver.clause.0, waiver.reason)).collect();
+        if !unused.is_empty() {
+            return Err(Failure::Input(format!("waivers that cover no failure\n{}", unused.join("\n"))));
+        }
         Ok(if is_pass(&outcome, self.allow_unsupported) { Verdict::Green } else { Verdict::Red })
+    }
+
+    fn waivers(&self) -> Result<Waivers, Failure> {
+        let Some(path) = &self.waivers else { return Ok(Waivers::default()) };
+        let file = path.display();
+        let text = fs::read_to_string(path).map_err(|reason| Failure::Input(format!("{file}: {reason}")))?;
+        Waivers::parse(&text).map_err(|error| Failure::Input(format!("{file}: {error}")))
     }
 
     fn campaign(&self) -> Result<Campaign, Failure> {
@@ -161,7 +192,7 @@ impl Certify {
                 least_increment: f64::from(increment.numerator) / f64::from(increment.denominator),
                 delta: self.delta,
             },
-            waivers: Waivers::default(),
+            waivers: self.waivers()?,
             threads: self.jobs.unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from)).clamp(1, 256),
             profile,
         })
@@ -196,8 +227,7 @@ pub(super) fn print(
     for failure in outcome.failures.iter().take(MOST_LINES) {
         writeln!(out, "{} {failure}", terminal::bold("FAIL"))?;
     }
-    let red = outcome.tally.red();
-    let failed = red - outcome.tally.broken;
+    let (red, failed) = (outcome.tally.red(), outcome.tally.counts.fail);
     if failed > MOST_LINES as u64 {
         writeln!(out, "… and {} more failed programs", failed - MOST_LINES as u64)?;
     }
@@ -247,6 +277,9 @@ pub(super) fn print(
         };
         writeln!(out, "  {verdict}: {count}{note}")?;
     }
+    if tally.counts.expected_failure > 0 {
+        writeln!(out, "  of these, expected failures: {} (waived)", tally.counts.expected_failure)?;
+    }
     if let Some(share) = tally.needed_share() {
         writeln!(out, "would pass with {share:.3e} of the band β as well, and with no smaller share")?;
     }
@@ -287,50 +320,6 @@ fn counterexample(
         Err(reason) => writeln!(out, "    (no G-code for it: {reason})")?,
     }
     Ok(())
-}
-
-fn report(device: &DeviceRecord, level: u8, campaign: &Campaign, outcome: &Outcome) -> Report {
-    let causes = outcome.groups.iter().map(|(name, count, smallest)| cause(name, *count, smallest, campaign, outcome));
-    let broken = outcome.broken.iter().map(|(number, broken)| BrokenRecord::new(*number, broken));
-    let head = Head {
-        device,
-        level: Some(level),
-        profile: &campaign.profile,
-        seed: campaign.seed,
-        generated_programs: campaign.programs,
-        budget: &campaign.budget,
-    };
-    let report = Report::new(head, &outcome.tally, causes.collect(), broken.collect(), outcome.cases.clone());
-    let expected = campaign.waivers.0.iter().enumerate().map(|(index, waiver)| ExpectedFailure {
-        clause: Id(waiver.clause),
-        program: waiver.program.clone(),
-        difference: waiver.difference.clone(),
-        reason: waiver.reason.clone(),
-        programs: outcome.expected.get(&index).copied().unwrap_or_default(),
-    });
-    Report { expected_failures: expected.collect(), ..report }
-}
-
-fn cause(name: &str, programs: u64, smallest: &Failed, campaign: &Campaign, outcome: &Outcome) -> Cause {
-    let (program, tools) =
-        smallest.listing(&campaign.profile).ok().map(|listing| (listing.program, listing.tool_table)).unzip();
-    let cause = Cause {
-        cause: name.to_owned(),
-        programs,
-        smallest: smallest.to_string(),
-        clause: None,
-        sentence: None,
-        nearest: None,
-        safety: smallest.safety.as_ref().map(ToString::to_string),
-        program,
-        tools,
-        case: None,
-    };
-    let kept = || outcome.cases.find(&smallest.name, smallest.verdict.id()).cloned();
-    match smallest.case.as_deref().cloned().or_else(kept) {
-        Some(case) => cause.told_by(case, &campaign.profile.parameters),
-        None => cause,
-    }
 }
 
 fn write_counterexamples(folder: &Path, outcome: &Outcome, report: &Report, profile: &Profile) -> Result<(), Failure> {

@@ -100,6 +100,8 @@ impl Gathered {
         let bounds = self.bounds();
         let size = (bounds[0][1] - bounds[0][0]).max(bounds[1][1] - bounds[1][0]).max(1e-6);
         let alarm = self.alarms.first().copied();
+        let tool = if self.radius > 0.0 { 4.0 * self.radius } else { size };
+        let around = tool.min(size / 10.0);
         match (self.expected_end, self.observed_end) {
             (Some(p), Some(q)) => {
                 let apart = (p[0] - q[0]).hypot(p[1] - q[1]);
@@ -108,8 +110,8 @@ impl Gathered {
                 let least = 1e-13 * (1.0 + p[0].abs().max(p[1].abs()));
                 if apart == 0.0 { (p, size / 16.0) } else { (middle, (0.8 * apart).clamp(least, size / 5.0)) }
             }
-            (Some(p), None) | (None, Some(p)) => (alarm.unwrap_or(p), size / 10.0),
-            (None, None) => (alarm.unwrap_or([0.0, 0.0]), size / 10.0),
+            (Some(p), None) | (None, Some(p)) => (alarm.unwrap_or(p), around),
+            (None, None) => (alarm.unwrap_or([0.0, 0.0]), around),
         }
     }
 }
@@ -176,6 +178,11 @@ fn contour(blocks: &[Block<Rational>], block: usize) -> (Vec<Piece>, Named, f64)
     (pieces, names, radius)
 }
 
+/// A length in digits that are few, however short it is.
+fn short(length: f64) -> String {
+    if length < 1e-4 { format!("{length:.3e}") } else { format!("{length:.6}") }
+}
+
 /// What differs, in words.
 fn told(case: &Case) -> String {
     let Some(divergence) = &case.divergence else {
@@ -193,7 +200,7 @@ fn told(case: &Case) -> String {
         ("surplus", _) => "the path goes on too far".to_owned(),
         ("kind", _) => "another kind of element".to_owned(),
         ("block", _) => "an element of another block".to_owned(),
-        (what, Some(off)) => format!("{what} off by {:.3e} mm", off.0),
+        (what, Some(off)) => format!("{what} off by {} mm", short(off.0)),
         (what, None) => format!("{what} differs"),
     };
     format!("N{}, {}: {what}", divergence.block + 1, divergence.clause.0)

@@ -61,12 +61,17 @@ pub fn comparison(case: &Case, parameters: &Parameters, axes: Axes, name: &str, 
     }
     document = document.add(clips);
     let mark = place_of(&whole, middle, half);
-    document = document.add(leader(mark));
+    if case.divergence.is_some() {
+        document = document.add(leader(mark));
+    }
     for (part, view) in [("whole", &whole), ("inset", &inset)] {
         let clip = format!("url(#{name}-{part})");
         document = document.add(drawing(&gathered, view).set("clip-path", clip)).add(view.border(FRAME));
     }
-    document = document.add(square(mark).set("style", FRAME));
+    if case.divergence.is_some() {
+        let clip = format!("url(#{name}-whole)");
+        document = document.add(square(mark).set("style", FRAME).set("clip-path", clip));
+    }
     document = labels(document, &gathered, &whole);
     document = document.add(whole.scale_bar()).add(whole.scale_words()).add(inset.scale_bar()).add(inset.scale_words());
     document = axes_words(document, axes);

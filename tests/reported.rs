@@ -1,0 +1,10 @@
+//! What is made of a report: pictures, pages, JUnit XML, certificates.
+
+#[path = "reported/campaigns.rs"]
+mod campaigns;
+#[path = "reported/pages.rs"]
+mod pages;
+#[path = "reported/pictures.rs"]
+mod pictures;
+#[path = "reported/waivers.rs"]
+mod waivers;
