@@ -11,7 +11,7 @@ mod waivers;
 
 pub use campaign::{Campaign, Level, Outcome, certify};
 pub use failure::Failure;
-pub use programs::programs;
+pub use programs::{named_programs, programs, recount};
 pub use recorded::Recorded;
 pub use safety::Safety;
 pub use tally::{ClauseTally, Tally};
