@@ -2,6 +2,10 @@
 
 #[path = "reported/campaigns.rs"]
 mod campaigns;
+#[path = "reported/certificates.rs"]
+mod certificates;
+#[path = "reported/commands.rs"]
+mod commands;
 #[path = "reported/pages.rs"]
 mod pages;
 #[path = "reported/pictures.rs"]

@@ -119,9 +119,10 @@ fn theorem(report: &Report) -> String {
     };
     let Buckets { pass, expected_failure, unsupported, .. } = report.counts;
     let mut text = format!(
-        "For each of {pass} of the {} programs judged, the device's path is, to within {} mm at every end point and arc \
-         centre, the exact outcome of the rules under the profile {}, with no decision taken another way than exactly but \
-         where its exact margin lies within the band of {band}.",
+        "Of the {} programs judged, {pass} pass: the device's path is, to within {} mm at every end point and arc centre, \
+         the exact outcome of the program under the profile {}, or that of a program whose numbers differ from its own by \
+         no more than the band of {band}, or the outcome with some decisions taken another way whose exact margins lie \
+         within that band.",
         report.tally.programs,
         report.delta_mm.text(),
         report.profile,
