@@ -33,7 +33,7 @@ impl Device for Faulty {
         if answer.alarm.is_some_and(|alarm| alarm.kind == AlarmKind::NoIntersection) {
             answer.alarm = None;
         }
-        if blocks.len() % 11 == 0 {
+        if blocks.len().is_multiple_of(11) {
             return Err(DeviceFault::Crash("<script>alert(\"division by zero\")</script> & more".to_owned()));
         }
         Ok(answer)
