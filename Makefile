@@ -5,6 +5,8 @@ CARGO ?= cargo
 PROFILES ?= $(basename $(notdir $(wildcard spec/profiles/*.toml)))
 LEVEL ?= 1
 TARGET_DIR := $(or $(CARGO_TARGET_DIR),target)
+# Reports name the commit of the toolkit that wrote them.
+build certify: export RADCOMP_COMMIT ?= $(shell git describe --always --dirty --abbrev=40 --exclude '*' 2>/dev/null || echo unknown)
 # CI never rewrites Cargo.lock.
 LOCKED := $(if $(CI),--locked)
 

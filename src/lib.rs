@@ -2,6 +2,7 @@
 
 pub mod boundary;
 pub mod canon;
+pub mod certificate;
 pub mod certify;
 pub mod device;
 pub mod edited;

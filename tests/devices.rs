@@ -57,6 +57,7 @@ fn campaign_on<D: Device>(threads: usize, programs: u64, make: impl Fn() -> D + 
         seed: 1,
         programs,
         budget: Budget { grade: Grade::Binary64, least_increment: 0.001, delta: 1e-6 },
+        waivers: Default::default(),
         threads,
     };
     certify(&campaign, make, |_| {})

@@ -1,7 +1,7 @@
 //! The model against the implementation: two readings of one text, on generated programs, under every profile and
 //! under every value of every parameter.
 
-use radcomp::certify::{Campaign, Level, Outcome, certify};
+use radcomp::certify::{Campaign, Level, Outcome, Waivers, certify};
 use radcomp::device::Builtin;
 use radcomp::judge::{Budget, Grade};
 use radcomp_spec::profile::{BUILTIN, PARAMETERS, Parameter, Profile};
@@ -9,7 +9,7 @@ use radcomp_spec::profile::{BUILTIN, PARAMETERS, Parameter, Profile};
 fn run(profile: Profile, seed: u64, programs: u64) -> Outcome {
     let budget = Budget { grade: Grade::Binary64, least_increment: 0.001, delta: 1e-6 };
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    certify(&Campaign { profile, seed, programs, budget, threads }, || Builtin, |_| {})
+    certify(&Campaign { profile, seed, programs, budget, waivers: Waivers::default(), threads }, || Builtin, |_| {})
 }
 
 fn assert_green(outcome: &Outcome, what: &str) {
@@ -169,7 +169,11 @@ fn a_seed_gives_the_same_result_on_any_number_of_threads() {
     let campaign = |threads| {
         let budget = Budget { grade: Grade::Binary64, least_increment: 0.001, delta: 1e-6 };
         let profile = Profile::builtin("seed-mill").expect("built in");
-        let outcome = certify(&Campaign { profile, seed: 7, programs: 700, budget, threads }, || Builtin, |_| {});
+        let outcome = certify(
+            &Campaign { profile, seed: 7, programs: 700, budget, waivers: Waivers::default(), threads },
+            || Builtin,
+            |_| {},
+        );
         outcome.tally
     };
     assert_eq!(campaign(1), campaign(3));

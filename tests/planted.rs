@@ -1,7 +1,7 @@
 //! Faults planted in a device are found, each with a small counterexample: a certificate that cannot turn red says
 //! nothing.
 
-use radcomp::certify::{Campaign, Outcome, certify};
+use radcomp::certify::{Campaign, Outcome, Waivers, certify};
 use radcomp::device::{Answer, Builtin, Device, DeviceFault};
 use radcomp::judge::{Budget, Grade};
 use radcomp_spec::parameters::{CornerOwner, OuterCorner, Parameters, StartUpLost};
@@ -42,6 +42,7 @@ fn campaign(device: Faulty) -> Outcome {
         seed: 1,
         programs: 3_000,
         budget: Budget { grade: Grade::Binary64, least_increment: 0.001, delta: 1e-6 },
+        waivers: Waivers::default(),
         threads: 2,
     };
     certify(&campaign, || device, |_| {})

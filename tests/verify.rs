@@ -12,10 +12,11 @@ use std::cmp::Ordering;
 use std::fs;
 use std::path::Path;
 
+use radcomp::certify::Level;
 use radcomp::device::Builtin;
 use radcomp::judge::{Budget, Grade};
 use radcomp::report::{Binary, Case, Exact, Report, SCHEMA};
-use radcomp::verify::{Finding, verify};
+use radcomp::verify::{Finding, LEAST_PROGRAMS, verify};
 use radcomp_model::number::parse_decimal;
 use radcomp_model::run_with;
 use radcomp_spec::{Alarm, AlarmKind, Block, Centre, DecisionKind, Direction, Movement, Segment, Step};
@@ -180,8 +181,51 @@ fn a_report_that_contradicts_itself_is_found() {
     let mut report = report(vec![with_witness(&inner(), &moved(4), &answer(&moved(4)))]);
     report.tally.verdicts.insert("inadmissible".to_owned(), 1);
     let summary = verify(&report, |_, _| {});
-    assert_eq!(summary.contradictions.len(), 3, "{:?}", summary.contradictions);
+    assert_eq!(summary.contradictions.len(), 4, "{:?}", summary.contradictions);
     assert!(!summary.is_confirmed());
+}
+
+/// What the checker says of a report's head after one change of it.
+#[track_caller]
+fn is_contradicted(by: impl Fn(&mut Report), because: &str) {
+    let budget = Budget { grade: Grade::Binary64, least_increment: 0.001, delta: DELTA };
+    let mut faulty = Tampered(|answer| answer.steps.truncate(2));
+    let mut report = judged(&mut faulty, &budget, 60);
+    let found = |report: &Report| verify(report, |_, _| {}).contradictions;
+    assert_eq!(found(&report), Vec::<String>::new());
+    by(&mut report);
+    let found = found(&report);
+    assert!(found.iter().any(|contradiction| contradiction.contains(because)), "{found:?}");
+}
+
+#[test]
+fn every_edited_count_is_found() {
+    is_contradicted(|report| report.counts.pass += 1, "said to pass");
+    is_contradicted(|report| report.counts.fail -= 1, "failures are told");
+    is_contradicted(|report| report.counts.expected_failure += 1, "expected failures are counted");
+    is_contradicted(|report| report.counts.unsupported += 1, "unsupported");
+    is_contradicted(|report| report.tally.programs += 1, "programs were judged");
+    is_contradicted(|report| report.tally.broken += 1, "relations are broken");
+    is_contradicted(|report| drop(report.cases.pop()), "cases are given or left out");
+    is_contradicted(|report| report.causes.clear(), "by the causes");
+    is_contradicted(
+        |report| report.tally.clauses.values_mut().for_each(|clause| clause.failed = 0),
+        "programs diverge at some clause",
+    );
+    is_contradicted(|report| report.tally.clauses.values_mut().for_each(|clause| clause.programs = 0), "of 0 programs");
+    is_contradicted(|report| report.tally.decisions.clear(), "decisions of one side");
+    is_contradicted(|report| report.tally.sides.clear(), "0 programs take");
+}
+
+#[test]
+fn another_profile_or_level_is_found() {
+    is_contradicted(|report| report.profile_file.push(' '), "hash");
+    is_contradicted(|report| report.profile = "seed-mill".to_owned(), "name");
+    is_contradicted(|report| report.least_increment_mm = Binary(0.01), "least increment");
+    is_contradicted(|report| report.parameters.non_moving_allowed = Some(5), "parameters");
+    is_contradicted(|report| report.level = Some(1), "level 1 has 24000 generated programs, not 60");
+    is_contradicted(|report| report.level = Some(3), "no level 3");
+    assert_eq!(LEAST_PROGRAMS, [Level::One.programs(), Level::Two.programs()]);
 }
 
 #[test]

@@ -12,6 +12,7 @@ use rug::Rational;
 use super::failure::Failure;
 use super::safety::Safety;
 use super::tally::Tally;
+use super::waivers::Waivers;
 use crate::boundary::{self, Triple};
 use crate::device::{Device, DeviceFault};
 use crate::generate::{self, Reach};
@@ -51,6 +52,8 @@ pub struct Campaign {
     pub programs: u64,
     /// The budgets.
     pub budget: Budget,
+    /// Failures that are accepted.
+    pub waivers: Waivers,
     /// Threads to work with; the outcome does not depend on it.
     pub threads: usize,
 }
@@ -66,6 +69,8 @@ pub struct Outcome {
     pub broken: Vec<(u64, Broken)>,
     /// Programs whose answer was not exact, for the report.
     pub cases: Cases,
+    /// Programs that a waiver covers, by its place.
+    pub expected: BTreeMap<usize, u64>,
     /// Failures of one cause: the group's name, how many, and the smallest program found.
     pub groups: Vec<(String, u64, Failure)>,
 }
@@ -110,6 +115,9 @@ pub fn certify<D: Device>(campaign: &Campaign, make: impl Fn() -> D + Sync, prog
     for part in parts {
         outcome.tally.merge(part.tally);
         outcome.cases.merge(part.cases);
+        for (waiver, programs) in part.expected {
+            *outcome.expected.entry(waiver).or_default() += programs;
+        }
         let room = MOST_FAILURES - outcome.broken.len();
         outcome.broken.extend(part.broken.into_iter().take(room));
         for failure in part.failures {
@@ -127,19 +135,23 @@ struct Part {
     failures: Vec<Failure>,
     broken: Vec<(u64, Broken)>,
     cases: Cases,
+    expected: BTreeMap<usize, u64>,
 }
 
 fn judge_chunk(campaign: &Campaign, device: &mut impl Device, from: u64, to: u64) -> Part {
     let (tally, cases) = (Tally::default(), Cases::default());
-    let mut part = Part { from, tally, failures: Vec::new(), broken: Vec::new(), cases };
+    let expected = BTreeMap::new();
+    let mut part = Part { from, tally, failures: Vec::new(), broken: Vec::new(), cases, expected };
     let reach = Reach::of(&campaign.profile);
     let programs: Vec<_> = (from..to).map(|number| generate::program(campaign.seed, number, reach)).collect();
     let judged = judge_all(campaign, device, &programs);
     for ((number, blocks), judged) in (from..to).zip(programs).zip(judged) {
-        part.tally.add(&blocks, &judged, campaign.budget.beta(&blocks));
-        part.cases.extend(case_of(campaign, &format!("#{number}"), &blocks, &judged));
-        if judged.verdict.is_red() {
-            part.failures.push(Failure::new(format!("#{number}"), judged.verdict, blocks));
+        let name = format!("#{number}");
+        let waiver = count(campaign, &name, &blocks, &judged, &mut part.tally, &mut part.cases);
+        if let Some(waiver) = waiver {
+            *part.expected.entry(waiver).or_default() += 1;
+        } else if judged.verdict.is_red() {
+            part.failures.push(Failure::new(name, judged.verdict, blocks));
         } else if number % MOVED_ONE_IN == 0 {
             let broken = metamorphic::check(device, &campaign.profile.parameters, &blocks, &campaign.budget);
             part.tally.moved += 1;
@@ -162,13 +174,23 @@ fn judge_all(campaign: &Campaign, device: &mut impl Device, programs: &[Vec<Bloc
     judged.map(|(answer, blocks)| judge_answer(answer, parameters, blocks, &campaign.budget)).collect()
 }
 
-pub(super) fn case_of(
+fn case_of(campaign: &Campaign, name: &str, blocks: &[Block<Rational>], judged: &Judged) -> Option<report::Case> {
+    report::case(name, blocks, judged, &campaign.budget, campaign.budget.beta(blocks))
+}
+
+/// Counts a judged program and keeps its case. Answers the place of the waiver that covers it.
+pub(super) fn count(
     campaign: &Campaign,
     name: &str,
     blocks: &[Block<Rational>],
     judged: &Judged,
-) -> Option<report::Case> {
-    report::case(name, blocks, judged, &campaign.budget, campaign.budget.beta(blocks))
+    tally: &mut Tally,
+    cases: &mut Cases,
+) -> Option<usize> {
+    let waiver = campaign.waivers.covering(name, &judged.verdict);
+    tally.add_waived(blocks, judged, campaign.budget.beta(blocks), waiver.is_some());
+    cases.extend(case_of(campaign, name, blocks, judged).map(|case| report::Case { waiver, ..case }));
+    waiver
 }
 
 fn judge_vectors(
@@ -207,9 +229,10 @@ fn judge_named(
     let (names, programs): (Vec<_>, Vec<_>) = named.into_iter().unzip();
     let judged = judge_all(campaign, device, &programs);
     for ((name, blocks), judged) in names.into_iter().zip(programs).zip(judged) {
-        outcome.tally.add(&blocks, &judged, campaign.budget.beta(&blocks));
-        outcome.cases.extend(case_of(campaign, &name, &blocks, &judged));
-        if judged.verdict.is_red() {
+        let waiver = count(campaign, &name, &blocks, &judged, &mut outcome.tally, &mut outcome.cases);
+        if let Some(waiver) = waiver {
+            *outcome.expected.entry(waiver).or_default() += 1;
+        } else if judged.verdict.is_red() {
             note(Failure::new(name, judged.verdict, blocks), outcome, groups);
         }
     }
@@ -270,7 +293,8 @@ fn smallest(
         let blocks = minimise(&failure.blocks, &mut same);
         let judged = judge_one(campaign, device, &blocks);
         let safety = judged.answer.as_ref().map(|answer| Safety::of(&blocks, &judged.exact, answer, &campaign.budget));
-        *failure = Failure { safety, ..Failure::new(failure.name.clone(), judged.verdict, blocks) };
+        let case = case_of(campaign, &failure.name, &blocks, &judged).map(Box::new);
+        *failure = Failure { safety, case, ..Failure::new(failure.name.clone(), judged.verdict, blocks) };
     }
     groups
 }

@@ -9,6 +9,7 @@ use rug::Rational;
 use super::safety::Safety;
 use crate::gcode::{Listing, print_blocks};
 use crate::judge::{Difference, Divergence, Verdict};
+use crate::report::Case;
 
 /// A failed program.
 #[derive(Clone, Debug)]
@@ -21,12 +22,14 @@ pub struct Failure {
     pub blocks: Vec<Block<Rational>>,
     /// What the answer does to the part; of the smallest failure of a cause.
     pub safety: Option<Safety>,
+    /// Program, answer and divergence, for the report; of the smallest failure of a cause.
+    pub case: Option<Box<Case>>,
 }
 
 impl Failure {
     /// A failure whose path has not been judged for safety.
     pub fn new(name: String, verdict: Verdict, blocks: Vec<Block<Rational>>) -> Failure {
-        Failure { name, verdict, blocks, safety: None }
+        Failure { name, verdict, blocks, safety: None, case: None }
     }
 
     /// What failures with one cause have in common: the clause, and the kind of difference.
@@ -89,7 +92,8 @@ fn alarm(alarm: Option<Alarm>) -> String {
     alarm.map_or_else(|| "no alarm".to_owned(), |alarm| format!("alarm {} at N{}", alarm.kind.id(), alarm.block + 1))
 }
 
-fn kind(difference: &Difference) -> &'static str {
+/// The kind of a difference, in words.
+pub(super) fn kind(difference: &Difference) -> &'static str {
     match difference {
         Difference::NotFinite => "not finite",
         Difference::Missing => "path too short",

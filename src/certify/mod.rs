@@ -4,12 +4,15 @@ mod campaign;
 mod failure;
 mod programs;
 mod recorded;
+mod reported;
 mod safety;
 mod tally;
+mod waivers;
 
 pub use campaign::{Campaign, Level, Outcome, certify};
 pub use failure::Failure;
-pub use programs::programs;
+pub use programs::{named_programs, programs, recount};
 pub use recorded::Recorded;
 pub use safety::Safety;
 pub use tally::{ClauseTally, Tally};
+pub use waivers::{Waiver, WaiverError, Waivers};

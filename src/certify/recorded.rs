@@ -28,9 +28,11 @@ impl<'c> Recorded<'c> {
     pub fn judge(&mut self, name: &str, blocks: Vec<Block<Rational>>, answer: Result<Answer, DeviceFault>) {
         let Campaign { profile, budget, .. } = self.campaign;
         let judged = judge_answer(answer, &profile.parameters, &blocks, budget);
-        self.outcome.tally.add(&blocks, &judged, budget.beta(&blocks));
-        self.outcome.cases.extend(campaign::case_of(self.campaign, name, &blocks, &judged));
-        if judged.verdict.is_red() {
+        let Outcome { tally, cases, expected, .. } = &mut self.outcome;
+        let waiver = campaign::count(self.campaign, name, &blocks, &judged, tally, cases);
+        if let Some(waiver) = waiver {
+            *expected.entry(waiver).or_default() += 1;
+        } else if judged.verdict.is_red() {
             let failure = Failure::new(name.to_owned(), judged.verdict, blocks);
             campaign::note(failure, &mut self.outcome, &mut self.groups);
         }

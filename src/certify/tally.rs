@@ -1,5 +1,6 @@
 //! Counts of a campaign.
 
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 use radcomp_model::Run;
@@ -9,12 +10,15 @@ use rug::Rational;
 use serde::Serialize;
 
 use crate::judge::{Judged, Verdict};
+use crate::report::{Bucket, Buckets};
 
 /// What a campaign has counted. Tallies of parts add up to the tally of the whole, in any order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Tally {
     /// Programs judged.
     pub programs: u64,
+    /// Programs by what came of them.
+    pub counts: Buckets,
     /// Blocks read by the model.
     pub blocks: u64,
     /// Junctions of two compensated elements.
@@ -29,6 +33,8 @@ pub struct Tally {
     pub broken: u64,
     /// Decisions by kind: negative, zero, positive margins.
     pub decisions: BTreeMap<&'static str, [u64; 3]>,
+    /// Programs that take a decision of this kind on this side: negative, zero, positive margins.
+    pub sides: BTreeMap<&'static str, [Buckets; 3]>,
     /// The greatest share of a program's band β that a witness took.
     pub greatest_share: f64,
 }
@@ -48,26 +54,47 @@ pub struct ClauseTally {
     pub passed: u64,
     /// Programs whose first divergence lies at this clause.
     pub failed: u64,
+    /// Programs whose first divergence lies at this clause, waived.
+    pub expected_failures: u64,
+    /// Programs that the device does not support.
+    pub unsupported: u64,
 }
 
 impl Tally {
     /// Counts one judged program.
     pub fn add(&mut self, blocks: &[Block<Rational>], judged: &Judged, beta: f64) {
+        self.add_waived(blocks, judged, beta, false);
+    }
+
+    /// Counts one judged program, which, if it is red, may be waived.
+    pub fn add_waived(&mut self, blocks: &[Block<Rational>], judged: &Judged, beta: f64, waived: bool) {
+        let bucket = match (judged.verdict.is_green(), judged.verdict.is_red()) {
+            (true, _) => Bucket::Pass,
+            (false, true) if waived => Bucket::ExpectedFailure,
+            (false, true) => Bucket::Fail,
+            (false, false) => Bucket::Unsupported,
+        };
         self.programs += 1;
+        self.counts.count(bucket);
         self.blocks += blocks.len() as u64;
         *self.verdicts.entry(judged.verdict.id()).or_default() += 1;
         if let Verdict::Admissible(witness) = &judged.verdict {
             self.greatest_share = self.greatest_share.max(witness.beta / beta);
         }
-        let used = self.add_run(&judged.exact);
-        let passed = judged.verdict.is_green();
-        for clause in used {
+        for clause in self.add_run(&judged.exact) {
             let tally = self.clauses.entry(clause.id()).or_default();
             tally.programs += 1;
-            tally.passed += u64::from(passed);
+            tally.passed += u64::from(bucket == Bucket::Pass);
+            tally.unsupported += u64::from(bucket == Bucket::Unsupported);
         }
         if let Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence) = &judged.verdict {
-            self.clauses.entry(divergence.clause.id()).or_default().failed += 1;
+            let tally = self.clauses.entry(divergence.clause.id()).or_default();
+            *if waived { &mut tally.expected_failures } else { &mut tally.failed } += 1;
+        }
+        let sides: BTreeSet<_> =
+            judged.exact.decisions.iter().map(|(decision, _)| (decision.kind.id(), slot(decision.exact))).collect();
+        for (kind, slot) in sides {
+            self.sides.entry(kind).or_default()[slot].count(bucket);
         }
     }
 
@@ -80,12 +107,7 @@ impl Tally {
         }
         for (decision, _) in &run.decisions {
             self.clauses.entry(decision.clause().id()).or_default().decisions += 1;
-            let slot = match decision.exact {
-                std::cmp::Ordering::Less => 0,
-                std::cmp::Ordering::Equal => 1,
-                std::cmp::Ordering::Greater => 2,
-            };
-            self.decisions.entry(decision.kind.id()).or_default()[slot] += 1;
+            self.decisions.entry(decision.kind.id()).or_default()[slot(decision.exact)] += 1;
             used.insert(decision.clause());
         }
         if let Some(alarm) = run.alarm {
@@ -98,6 +120,7 @@ impl Tally {
     /// Adds the counts of another part.
     pub fn merge(&mut self, other: Tally) {
         self.programs += other.programs;
+        self.counts.merge(other.counts);
         self.blocks += other.blocks;
         self.corners += other.corners;
         self.moved += other.moved;
@@ -114,6 +137,12 @@ impl Tally {
             whole.decisions += part.decisions;
             whole.passed += part.passed;
             whole.failed += part.failed;
+            whole.expected_failures += part.expected_failures;
+            whole.unsupported += part.unsupported;
+        }
+        for (kind, part) in other.sides {
+            let whole = self.sides.entry(kind).or_default();
+            (0..3).for_each(|slot| whole[slot].merge(part[slot]));
         }
         for (kind, part) in other.decisions {
             let whole = self.decisions.entry(kind).or_default();
@@ -121,11 +150,9 @@ impl Tally {
         }
     }
 
-    /// Programs that the device failed, and relations that it broke.
+    /// Programs that the device failed, those that are waived apart, and relations that it broke.
     pub fn red(&self) -> u64 {
-        let not_red = ["exact", "admissible", "admissible-without-witness", "unsupported"];
-        let failed: u64 = self.verdicts.iter().filter(|(id, _)| !not_red.contains(id)).map(|(_, count)| count).sum();
-        failed + self.broken
+        self.counts.fail + self.broken
     }
 
     /// The smallest share of the band β under which no verdict would be red: that of the farthest witness. The whole of it
@@ -137,7 +164,7 @@ impl Tally {
 
     /// Programs that the device says it does not support: neither failed nor passed.
     pub fn unsupported(&self) -> u64 {
-        self.verdicts.get("unsupported").copied().unwrap_or_default()
+        self.counts.unsupported
     }
 
     /// Kinds of decisions that were never taken on one of their sides, with the side.
@@ -154,6 +181,15 @@ impl Tally {
             }
         }
         missing
+    }
+}
+
+/// The place of a side among the counts of a decision.
+fn slot(side: Ordering) -> usize {
+    match side {
+        Ordering::Less => 0,
+        Ordering::Equal => 1,
+        Ordering::Greater => 2,
     }
 }
 

@@ -8,11 +8,12 @@ use std::thread;
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use radcomp::boundary;
-use radcomp::certify::{Campaign, Failure as Failed, Level, Outcome, certify};
-use radcomp::explain::first_sentence;
+use radcomp::certify::{Campaign, Failure as Failed, Level, Outcome, Waivers, certify};
+use radcomp::explain::{Axes, first_sentence};
 use radcomp::generate::Reach;
 use radcomp::judge::{Budget, Grade, Verdict as Judgement};
-use radcomp::report::{BrokenRecord, Cause, Head, Report};
+use radcomp::plot::comparison;
+use radcomp::report::{DeviceRecord, Report, junit, page};
 use radcomp_spec::profile::Profile;
 
 use super::device::{self, DeviceLimits};
@@ -28,6 +29,10 @@ pub struct Certify {
     /// library) or linuxcnc (rs274); `radcomp ping` tests one
     #[arg(value_name = "DEVICE")]
     device: String,
+
+    /// The device's version, for the report; that of builtin is known
+    #[arg(long, value_name = "VERSION")]
+    device_version: Option<String>,
 
     #[command(flatten)]
     limits: DeviceLimits,
@@ -68,7 +73,19 @@ pub struct Certify {
     #[arg(long, value_name = "FILE.json")]
     report: Option<PathBuf>,
 
-    /// Write each smallest counterexample into this folder, as a program with its tool table
+    /// Write a test case for each clause as JUnit XML, for continuous integration
+    #[arg(long, value_name = "FILE.xml")]
+    junit: Option<PathBuf>,
+
+    /// Write the report as one HTML page, with a picture of each cause
+    #[arg(long, value_name = "FILE.html")]
+    html: Option<PathBuf>,
+
+    /// Accept the failures that this file lists, each with its clause and reason; a waiver that covers none is an error
+    #[arg(long, value_name = "FILE.toml")]
+    waivers: Option<PathBuf>,
+
+    /// Write each smallest counterexample into this folder, as a program with its tool table and a picture
     #[arg(long, value_name = "FOLDER")]
     counterexamples: Option<PathBuf>,
 }
@@ -104,6 +121,8 @@ impl Certify {
         let campaign = self.campaign()?;
         let name = device::named(&self.device)?;
         device::knock(&name, &campaign.profile, self.limits.limits())?;
+        let device = DeviceRecord::of(&self.device, &name, self.device_version.clone())
+            .map_err(|reason| Failure::Input(format!("the device's file cannot be read: {reason}")))?;
         let mut out = terminal::output();
         writeln!(out, "certify {}, profile {}, level {}", self.device, campaign.profile.name, self.level)?;
         writeln!(out, "{}: radcomp's reading of its sources, not its maker's word", campaign.profile.title)?;
@@ -123,15 +142,35 @@ impl Certify {
         bar.finish_and_clear();
         print(&mut out, &outcome, &campaign.profile, self.allow_unsupported)?;
         out.flush()?;
+        let report = outcome.report(&device, Some(self.level), &campaign);
         if let Some(path) = &self.report {
             let unwritable = |reason| Failure::Input(format!("{} cannot be written: {reason}", path.display()));
             let file = fs::File::create(path).map_err(unwritable)?;
-            report(&self.device, &campaign, &outcome).write(BufWriter::new(file)).map_err(unwritable)?;
+            report.write(BufWriter::new(file)).map_err(unwritable)?;
+        }
+        if let Some(path) = &self.junit {
+            write(path, &junit(&report).map_err(Failure::Input)?)?;
+        }
+        if let Some(path) = &self.html {
+            let file = self.report.as_ref().map_or("report.json".to_owned(), |path| path.display().to_string());
+            write(path, &page(&report, &file).map_err(Failure::Input)?)?;
         }
         if let Some(folder) = &self.counterexamples {
-            write_counterexamples(folder, &outcome, &campaign.profile)?;
+            write_counterexamples(folder, &outcome, &report, &campaign.profile)?;
+        }
+        let unused = report.expected_failures.iter().filter(|waiver| waiver.programs == 0);
+        let unused: Vec<_> = unused.map(|waiver| format!("{}: {}", waiver.clause.0, waiver.reason)).collect();
+        if !unused.is_empty() {
+            return Err(Failure::Input(format!("waivers that cover no failure\n{}", unused.join("\n"))));
         }
         Ok(if is_pass(&outcome, self.allow_unsupported) { Verdict::Green } else { Verdict::Red })
+    }
+
+    fn waivers(&self) -> Result<Waivers, Failure> {
+        let Some(path) = &self.waivers else { return Ok(Waivers::default()) };
+        let file = path.display();
+        let text = fs::read_to_string(path).map_err(|reason| Failure::Input(format!("{file}: {reason}")))?;
+        Waivers::parse(&text).map_err(|error| Failure::Input(format!("{file}: {error}")))
     }
 
     fn campaign(&self) -> Result<Campaign, Failure> {
@@ -156,6 +195,7 @@ impl Certify {
                 least_increment: f64::from(increment.numerator) / f64::from(increment.denominator),
                 delta: self.delta,
             },
+            waivers: self.waivers()?,
             threads: self.jobs.unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from)).clamp(1, 256),
             profile,
         })
@@ -190,8 +230,7 @@ pub(super) fn print(
     for failure in outcome.failures.iter().take(MOST_LINES) {
         writeln!(out, "{} {failure}", terminal::bold("FAIL"))?;
     }
-    let red = outcome.tally.red();
-    let failed = red - outcome.tally.broken;
+    let (red, failed) = (outcome.tally.red(), outcome.tally.counts.fail);
     if failed > MOST_LINES as u64 {
         writeln!(out, "… and {} more failed programs", failed - MOST_LINES as u64)?;
     }
@@ -244,6 +283,9 @@ pub(super) fn print(
         };
         writeln!(out, "  {verdict}: {count}{note}")?;
     }
+    if tally.counts.expected_failure > 0 {
+        writeln!(out, "  of these, expected failures: {} (waived)", tally.counts.expected_failure)?;
+    }
     if let Some(share) = tally.needed_share() {
         writeln!(out, "would pass with {share:.3e} of the band β as well, and with no smaller share")?;
     }
@@ -286,31 +328,18 @@ fn counterexample(
     Ok(())
 }
 
-fn report(device: &str, campaign: &Campaign, outcome: &Outcome) -> Report {
-    let causes = outcome.groups.iter().map(|(name, count, smallest)| {
-        let listing = smallest.listing(&campaign.profile).ok();
-        let (program, tools) = listing.map(|listing| (listing.program, listing.tool_table)).unzip();
-        let safety = smallest.safety.as_ref().map(ToString::to_string);
-        Cause { cause: name.clone(), programs: *count, smallest: smallest.to_string(), safety, program, tools }
-    });
-    let broken = outcome.broken.iter().map(|(number, broken)| BrokenRecord::new(*number, broken));
-    let head = Head {
-        device,
-        profile: &campaign.profile,
-        seed: campaign.seed,
-        generated_programs: campaign.programs,
-        budget: &campaign.budget,
-    };
-    Report::new(head, &outcome.tally, causes.collect(), broken.collect(), outcome.cases.clone())
-}
-
-fn write_counterexamples(folder: &Path, outcome: &Outcome, profile: &Profile) -> Result<(), Failure> {
+fn write_counterexamples(folder: &Path, outcome: &Outcome, report: &Report, profile: &Profile) -> Result<(), Failure> {
+    let axes = Axes { plane: profile.machine.plane, x_words: profile.machine.x_words };
     fs::create_dir_all(folder)
         .map_err(|reason| Failure::Input(format!("{} cannot be made: {reason}", folder.display())))?;
-    for (index, (_, _, smallest)) in outcome.groups.iter().enumerate() {
+    for (index, ((name, _, smallest), cause)) in outcome.groups.iter().zip(&report.causes).enumerate() {
+        let picture = cause.case.as_ref().map(|case| comparison(case, &profile.parameters, axes, "c", name));
         if let Ok(listing) = smallest.listing(profile) {
             write(&folder.join(format!("{}.nc", index + 1)), &listing.program)?;
             write(&folder.join(format!("{}.tools.toml", index + 1)), &listing.tool_table)?;
+        }
+        if let Some(picture) = picture {
+            write(&folder.join(format!("{}.svg", index + 1)), &picture)?;
         }
     }
     Ok(())

@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Write};
 
 use clap::Args;
-use radcomp::certify::{Campaign, Recorded, programs};
+use radcomp::certify::{Campaign, Recorded, Waivers, programs};
 use radcomp::device::wire::Reply;
 use radcomp::device::{Answer, DeviceFault};
 use radcomp::judge::{Budget, Grade};
@@ -65,6 +65,7 @@ impl Check {
                 least_increment: f64::from(increment.numerator) / f64::from(increment.denominator),
                 delta: self.delta,
             },
+            waivers: Waivers::default(),
             threads: 1,
             profile,
         };

@@ -1,9 +1,11 @@
 //! The command line: one file for each subcommand.
 
 mod alarm;
+mod certificate;
 mod certify;
 mod check;
 mod clause;
+mod compare;
 mod completions;
 mod device;
 mod device_kit;
@@ -18,6 +20,7 @@ mod plot;
 mod profiles;
 mod program;
 mod promote;
+mod replay;
 mod run;
 mod safety;
 mod serve;
@@ -47,6 +50,9 @@ Examples:
   radcomp device-kit python
   radcomp ping \"pipe:python3 adapter.py\"
   radcomp verify-witness report.json
+  radcomp replay report.json
+  radcomp compare before.json after.json
+  radcomp certificate report.json --make-key key.pem --output certificate.json
   radcomp profiles yasnac-lx
   radcomp clause TRC-CORNER-08
 
@@ -67,6 +73,10 @@ enum Command {
     Check(check::Check),
     Serve(serve::Serve),
     VerifyWitness(verify_witness::VerifyWitness),
+    Replay(replay::Replay),
+    Compare(compare::Compare),
+    Certificate(certificate::Certificate),
+    VerifyCertificate(certificate::VerifyCertificate),
     Promote(promote::Promote),
     Clause(clause::Clauses),
     Completions(completions::Completions),
@@ -87,6 +97,10 @@ pub fn main() -> ExitCode {
         Command::Check(command) => command.execute(),
         Command::Serve(command) => command.execute(),
         Command::VerifyWitness(command) => command.execute(),
+        Command::Replay(command) => command.execute(),
+        Command::Compare(command) => command.execute(),
+        Command::Certificate(command) => command.execute(),
+        Command::VerifyCertificate(command) => command.execute(),
         Command::Promote(command) => command.execute(),
         Command::Clause(command) => command.execute(),
         Command::Completions(command) => command.execute(),

@@ -109,7 +109,7 @@ pub(super) fn text(x: f64, y: f64, words: &str, colour: &str) -> Text {
 }
 
 /// A hundredth of a unit of the picture is not seen.
-fn short(value: f64) -> f64 {
+pub(super) fn short(value: f64) -> f64 {
     (value * 100.0).round() / 100.0
 }
 

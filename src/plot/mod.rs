@@ -2,6 +2,7 @@
 //!
 //! Coordinates are drawn as doubles; nothing is decided here.
 
+mod comparison;
 mod draw;
 mod frame;
 mod labels;
@@ -9,6 +10,7 @@ mod legend;
 mod piece;
 mod scene;
 
+pub use comparison::comparison;
 pub use draw::svg;
 pub use piece::{Form, Piece, Trace};
 pub use scene::{Mark, MarkKind, Scene};

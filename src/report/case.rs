@@ -49,6 +49,9 @@ pub struct Case {
     /// Where the answer first differs from the exact outcome; red verdicts.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub divergence: Option<DivergenceRecord>,
+    /// The waiver that makes it an expected failure: its place in the list of them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub waiver: Option<usize>,
 }
 
 /// A decision that the device took another way.
@@ -109,6 +112,7 @@ pub fn case(name: &str, blocks: &[Block<Rational>], judged: &Judged, budget: &Bu
         answer: None,
         fault: None,
         divergence: None,
+        waiver: None,
     };
     match &judged.verdict {
         Verdict::Exact => return None,
@@ -153,6 +157,11 @@ impl Cases {
     pub fn merge(&mut self, later: Cases) {
         self.left_out += later.left_out;
         self.extend(later.kept);
+    }
+
+    /// The case of the program of this name with this verdict, if it is kept.
+    pub fn find(&self, name: &str, verdict: &str) -> Option<&Case> {
+        self.kept.iter().find(|case| case.name == name && case.verdict == verdict)
     }
 
     /// The cases kept, and how many were not.

@@ -4,17 +4,23 @@ use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
+use radcomp_spec::Clause;
 use radcomp_spec::profile::Profile;
 use serde::{Deserialize, Serialize};
 
+use super::buckets::Buckets;
 use super::case::{Case, Cases};
+use super::cause::{BrokenRecord, Cause};
+use super::device::{DeviceRecord, FileRecord};
 use super::error::ReportError;
+use super::hash::sha256;
 use super::number::Binary;
 use super::parameters::ParametersRecord;
+use super::profile::profile_text;
 use super::tally::TallyRecord;
+use super::word::Id;
 use crate::certify::Tally;
 use crate::judge::{Budget, Grade};
-use crate::metamorphic::Broken;
 
 /// The number of this format; it changes when a reader of the old one would misread the new one.
 pub const FORMAT: u64 = 1;
@@ -33,14 +39,28 @@ pub struct Report {
     pub format: u64,
     /// The version of the toolkit that wrote it.
     pub radcomp: String,
+    /// The commit that the toolkit was built from, or `unknown`.
+    pub commit: String,
     /// The device.
     pub device: String,
+    /// The device's version, if it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub device_version: Option<String>,
+    /// The files that the device consists of, as far as its name tells them.
+    pub device_files: Vec<FileRecord>,
     /// The name of the control's profile.
     pub profile: String,
+    /// The profile whole: the text of a file that reads back to it.
+    pub profile_file: String,
+    /// SHA-256 of that text.
+    pub profile_sha256: String,
     /// Least input increment of the control.
     pub least_increment_mm: Binary,
     /// What the compensation reads of the profile.
     pub parameters: ParametersRecord,
+    /// The level, if one was run: so many generated programs, vectors and boundary triples.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub level: Option<u8>,
     /// Seed of the generated programs.
     pub seed: u64,
     /// How many of them.
@@ -55,6 +75,10 @@ pub struct Report {
     pub needed_share_of_beta: Option<Binary>,
     /// Programs that the device failed, and relations that it broke.
     pub red: u64,
+    /// Programs by what came of them.
+    pub counts: Buckets,
+    /// The waivers that were given.
+    pub expected_failures: Vec<ExpectedFailure>,
     /// The counts.
     pub tally: TallyRecord,
     /// Failures of one cause, with the smallest program of each.
@@ -77,53 +101,31 @@ pub enum GradeRecord {
     Resolution,
 }
 
-/// Failures that have their clause and their kind of difference in common. For people; a checker has no use for it.
+/// A waiver that was given, and what it covered.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Cause {
-    /// Clause and kind.
-    pub cause: String,
+pub struct ExpectedFailure {
+    /// The clause at which the programs first differ.
+    pub clause: Id<Clause>,
+    /// The program's name, if the waiver is for one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub program: Option<String>,
+    /// The kind of difference, if the waiver is for one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub difference: Option<String>,
+    /// Why these failures are accepted.
+    pub reason: String,
     /// How many programs.
     pub programs: u64,
-    /// The smallest failure, in words.
-    pub smallest: String,
-    /// What its path does to the part, in words.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub safety: Option<String>,
-    /// Its program as G-code, if the profile can write it.
-    pub program: Option<String>,
-    /// The tool table of that program.
-    pub tools: Option<String>,
-}
-
-/// A relation between a program and its image that the device broke. For people, as causes are.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct BrokenRecord {
-    /// The program's name.
-    pub name: String,
-    /// The relation.
-    pub relation: String,
-    /// What differs, in words.
-    pub difference: String,
-}
-
-impl BrokenRecord {
-    /// The record of a relation that the generated program with this number breaks.
-    pub fn new(number: u64, broken: &Broken) -> BrokenRecord {
-        BrokenRecord {
-            name: format!("#{number}"),
-            relation: broken.relation.to_owned(),
-            difference: broken.difference.clone(),
-        }
-    }
 }
 
 /// What was certified, and how.
 #[derive(Clone, Copy, Debug)]
 pub struct Head<'a> {
-    /// The device's name.
-    pub device: &'a str,
+    /// The device.
+    pub device: &'a DeviceRecord,
+    /// The level, if one was run.
+    pub level: Option<u8>,
     /// The control.
     pub profile: &'a Profile,
     /// Seed of the generated programs.
@@ -138,13 +140,20 @@ impl Report {
     /// The report of a campaign.
     pub fn new(head: Head<'_>, tally: &Tally, causes: Vec<Cause>, broken: Vec<BrokenRecord>, cases: Cases) -> Report {
         let (cases, cases_left_out) = cases.into_parts();
+        let profile_file = profile_text(head.profile);
         Report {
             format: FORMAT,
             radcomp: env!("CARGO_PKG_VERSION").to_owned(),
-            device: head.device.to_owned(),
+            commit: option_env!("RADCOMP_COMMIT").unwrap_or("unknown").to_owned(),
+            device: head.device.name.clone(),
+            device_version: head.device.version.clone(),
+            device_files: head.device.files.clone(),
             profile: head.profile.name.clone(),
+            profile_sha256: sha256(profile_file.as_bytes()),
+            profile_file,
             least_increment_mm: Binary(head.budget.least_increment),
             parameters: ParametersRecord::from(&head.profile.parameters),
+            level: head.level,
             seed: head.seed,
             generated_programs: head.generated_programs,
             grade: match head.budget.grade {
@@ -154,6 +163,8 @@ impl Report {
             delta_mm: Binary(head.budget.delta),
             needed_share_of_beta: tally.needed_share().map(Binary),
             red: tally.red(),
+            counts: tally.counts,
+            expected_failures: Vec::new(),
             tally: TallyRecord::from(tally),
             causes,
             broken,

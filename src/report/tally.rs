@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::buckets::Buckets;
 use crate::certify::Tally;
 
 /// What a campaign has counted.
@@ -26,6 +27,8 @@ pub struct TallyRecord {
     pub broken: u64,
     /// Decisions by kind: negative, zero, positive margins.
     pub decisions: BTreeMap<String, [u64; 3]>,
+    /// Programs that take a decision of this kind on this side: negative, zero, positive margins.
+    pub sides: BTreeMap<String, [Buckets; 3]>,
 }
 
 /// Counts for one clause.
@@ -44,6 +47,10 @@ pub struct ClauseTallyRecord {
     pub passed: u64,
     /// Programs whose first divergence lies at this clause.
     pub failed: u64,
+    /// Programs whose first divergence lies at this clause, waived.
+    pub expected_failures: u64,
+    /// Programs that the device does not support.
+    pub unsupported: u64,
 }
 
 impl From<&Tally> for TallyRecord {
@@ -64,6 +71,8 @@ impl From<&Tally> for TallyRecord {
                         decisions: part.decisions,
                         passed: part.passed,
                         failed: part.failed,
+                        expected_failures: part.expected_failures,
+                        unsupported: part.unsupported,
                     };
                     ((*id).to_owned(), record)
                 })
@@ -71,6 +80,7 @@ impl From<&Tally> for TallyRecord {
             moved: tally.moved,
             broken: tally.broken,
             decisions: tally.decisions.iter().map(|(id, counts)| ((*id).to_owned(), *counts)).collect(),
+            sides: tally.sides.iter().map(|(id, counts)| ((*id).to_owned(), *counts)).collect(),
         }
     }
 }

@@ -6,11 +6,8 @@ use radcomp_model::number::nearest_f64;
 use radcomp_spec::Block;
 use rug::Rational;
 
-use super::witness;
+use super::{buckets, profile, witness};
 use crate::report::{GradeRecord, Report};
-
-/// The verdicts under which a device has not failed.
-const GREEN: [&str; 4] = ["exact", "admissible", "admissible-without-witness", "unsupported"];
 
 /// The band that the report's grade gives a program.
 pub(super) fn band(report: &Report, program: &[Block<Rational>]) -> f64 {
@@ -29,14 +26,15 @@ pub(super) fn contradictions(report: &Report) -> Vec<String> {
     if judged != report.tally.programs {
         found.push(format!("{} programs were judged, but there are {judged} verdicts", report.tally.programs));
     }
-    let red = sum(&mut verdicts.iter().filter(|(id, _)| !GREEN.contains(&id.as_str())).map(|(_, count)| count));
-    let broken = report.tally.broken;
-    if red.saturating_add(broken) != report.red {
+    let (failed, broken) = (report.counts.fail, report.tally.broken);
+    if failed.saturating_add(broken) != report.red {
         found.push(format!(
-            "{} failures are told, but {red} verdicts are red and {broken} relations broken",
+            "{} failures are told, but {failed} programs failed and {broken} relations are broken",
             report.red
         ));
     }
+    found.extend(buckets::contradictions(report));
+    found.extend(profile::contradictions(report));
     let not_exact = sum(&mut verdicts.iter().filter(|(id, _)| *id != "exact").map(|(_, count)| count));
     let given = report.cases.iter().filter(|case| case.verdict != "exact").count();
     let cases = report.cases_left_out.saturating_add(given as u64);
@@ -68,6 +66,7 @@ fn share(report: &Report) -> Option<String> {
         ("admissible", Some(change)) => change.0 / case.beta_mm.0,
         // What a witness took is not told: it says nothing here.
         ("exact" | "admissible" | "unsupported", _) => 0.0,
+        _ if case.waiver.is_some() => 0.0,
         _ => 1.0,
     });
     let due = shares.fold(0.0, f64::max);

@@ -24,9 +24,11 @@
 //! told for people; and that the answer is the device's.
 
 mod branches;
+mod buckets;
 mod check;
 mod head;
 mod path;
+mod profile;
 mod walk;
 mod witness;
 
@@ -34,6 +36,7 @@ use std::collections::BTreeMap;
 
 pub use branches::MOST_RUNS;
 pub use check::Finding;
+pub use profile::LEAST_PROGRAMS;
 
 use crate::report::{Case, Report};
 

@@ -4,7 +4,9 @@ use radcomp::certify::Tally;
 use radcomp::device::{Answer, Builtin, Device, DeviceFault};
 use radcomp::generate::{Reach, program};
 use radcomp::judge::{Budget, Grade, judge};
-use radcomp::report::{AnswerRecord, Binary, BlockRecord, Case, Cases, Head, Report, case};
+use radcomp::report::{
+    AnswerRecord, Binary, BlockRecord, Bucket, Case, Cases, Cause, DeviceRecord, Head, Report, case,
+};
 use radcomp_model::number::Real;
 use radcomp_model::{Run, run};
 use radcomp_spec::profile::Profile;
@@ -81,6 +83,7 @@ pub fn by_hand(verdict: &str, blocks: &[Block<Rational>], answer: &Answer) -> Ca
         answer: Some(AnswerRecord::from(answer)),
         fault: None,
         divergence: None,
+        waiver: None,
     }
 }
 
@@ -101,11 +104,21 @@ pub fn report(list: Vec<Case>) -> Report {
         let known = ["exact", "admissible", "admissible-without-witness", "inadmissible", "fork-limit", "crash"];
         let id = known.into_iter().find(|id| *id == case.verdict).expect("a verdict");
         *tally.verdicts.entry(id).or_default() += 1;
+        tally.counts.count(if ["exact", "admissible", "admissible-without-witness"].contains(&id) {
+            Bucket::Pass
+        } else {
+            Bucket::Fail
+        });
+        if ["inadmissible", "fork-limit"].contains(&id) {
+            tally.clauses.entry("TRC-CORNER-03").or_default().failed += 1;
+        }
         cases.add(case);
     }
-    let profile = profile();
-    let head = Head { device: "by hand", profile: &profile, seed: 0, generated_programs: 0, budget: &budget() };
-    Report::new(head, &tally, Vec::new(), Vec::new(), cases)
+    let (profile, device) = (profile(), DeviceRecord::named("by hand"));
+    let budget = budget();
+    let head =
+        Head { device: &device, level: None, profile: &profile, seed: 0, generated_programs: 0, budget: &budget };
+    Report::new(head, &tally, one_cause(&tally), Vec::new(), cases)
 }
 
 /// The implementation, with something done to its answers.
@@ -134,6 +147,24 @@ pub fn judged(device: &mut dyn Device, budget: &Budget, programs: u64) -> Report
         let case = case(&format!("#{number}"), &blocks, &judged, budget, budget.beta(&blocks));
         case.into_iter().for_each(|case| cases.add(case));
     }
-    let head = Head { device: device.name(), profile: &profile, seed: 7, generated_programs: programs, budget };
-    Report::new(head, &tally, Vec::new(), Vec::new(), cases)
+    let device = DeviceRecord::named(device.name());
+    let head = Head { device: &device, level: None, profile: &profile, seed: 7, generated_programs: programs, budget };
+    Report::new(head, &tally, one_cause(&tally), Vec::new(), cases)
+}
+
+/// Every failure under one cause; none if there is no failure.
+fn one_cause(tally: &Tally) -> Vec<Cause> {
+    let cause = Cause {
+        cause: "any".to_owned(),
+        programs: tally.counts.fail,
+        smallest: String::new(),
+        clause: None,
+        sentence: None,
+        nearest: None,
+        safety: None,
+        program: None,
+        tools: None,
+        case: None,
+    };
+    if cause.programs > 0 { vec![cause] } else { Vec::new() }
 }

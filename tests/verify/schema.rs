@@ -114,6 +114,9 @@ fn fits(pattern: &str, text: &str) -> bool {
             None => decimal(unsigned) || unsigned == "inf" || text == "NaN",
             Some((mantissa, exponent)) => decimal(mantissa) && digits(exponent.strip_prefix('-').unwrap_or(exponent)),
         },
+        r"^[0-9a-f]{64}$" => {
+            text.len() == 64 && text.bytes().all(|byte| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte))
+        }
         r"^-?[0-9]+(\.[0-9]+)?$" => decimal(unsigned),
         r"^TRC-[A-Z]+-[0-9]{2}$" => {
             let parts: Vec<&str> = text.split('-').collect();

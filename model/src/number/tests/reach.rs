@@ -46,7 +46,7 @@ fn what_is_zero_by_chance_is_followed() {
     assert!(zero.is_zero());
     // Its sign is known now, and yet its place in a product is kept.
     let (low, high) = (zero * Real::integer(5)).reach(0.5);
-    assert!(low <= -5.0 && low > -5.001 && high >= 5.0 && high < 5.001, "{low} {high}");
+    assert!((-5.001..=-5.0).contains(&low) && (5.0..5.001).contains(&high), "{low} {high}");
 }
 
 #[test]
