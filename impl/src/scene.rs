@@ -191,7 +191,9 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         let mut path = PathEnd { tool, sink: self.sink, block: element.block, rapid: element.rapid };
         path.corner_moves(start);
         path.own_move(arc, to, full, clause);
-        if rules.owner == CornerOwner::Previous && end == End::Junction(()) {
+        // The move onto an arc of the new side is the arc's in any case. [TRC-SIDE-06]
+        let previous = rules.owner == CornerOwner::Previous && behind.clause != clause::TRC_SIDE_06;
+        if previous && end == End::Junction(()) {
             path.corner_moves(behind);
             junctions[next].drop_moves();
         }

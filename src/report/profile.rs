@@ -16,8 +16,10 @@ pub fn profile_text(profile: &Profile) -> String {
             // Writing to a string does not fail, here and below.
             let _ = write!(text, "\n[{table}]\n");
         }
-        // Only counts stand without quotes.
-        let value = if parameter.allowed().contains('"') { quoted(&given.value) } else { given.value.clone() };
+        // Only counts stand without quotes; a count may have a word beside it.
+        let allowed = parameter.allowed();
+        let is_count = allowed.starts_with("a whole number") && given.value.bytes().all(|byte| byte.is_ascii_digit());
+        let value = if allowed.contains('"') && !is_count { quoted(&given.value) } else { given.value.clone() };
         let (name, source, clause) = (parameter.name(), quoted(&given.source), quoted(given.clause.id()));
         let _ = writeln!(text, "{name} = {{ value = {value}, source = {source}, clause = {clause} }}");
     }
