@@ -23,6 +23,18 @@ pub fn profile_text(profile: &Profile) -> String {
         let (name, source, clause) = (parameter.name(), quoted(&given.source), quoted(given.clause.id()));
         let _ = writeln!(text, "{name} = {{ value = {value}, source = {source}, clause = {clause} }}");
     }
+    let _ = write!(text, "\n[alarms]\n");
+    let mut unnumbered = Vec::new();
+    for alarm in &profile.alarms {
+        match &alarm.number {
+            Some(number) => {
+                let (number, source) = (quoted(number), quoted(&alarm.source));
+                let _ = writeln!(text, "{} = {{ value = {number}, source = {source} }}", alarm.kind.id());
+            }
+            None => unnumbered.push(quoted(alarm.kind.id())),
+        }
+    }
+    let _ = writeln!(text, "unnumbered = [{}]", unnumbered.join(", "));
     text
 }
 
