@@ -1,5 +1,7 @@
-//! Programs that a fuzzer moves: bytes name a generated program, or one exactly on a decision's boundary, and edits of it,
+//! Programs that a fuzzer moves: bytes name a generated program, or one on or beside a decision's boundary, and edits of it,
 //! so that a mutated byte is a small change of one number, down to 10⁻⁹ mm, or of one block.
+
+use std::sync::LazyLock;
 
 use radcomp_spec::profile::{BUILTIN, Profile};
 use radcomp_spec::{Block, Centre, Compensation, DecisionKind, Movement, Side};
@@ -17,10 +19,12 @@ pub struct Edited {
     pub blocks: Vec<Block<Rational>>,
 }
 
-/// Bytes that name the program before its edits: profile, seed, number; or, from [`ON_BOUNDARY`] on, profile, decision,
-/// seed, number.
+/// Bytes that name the program before its edits: profile, seed, number; or, from [`ON_BOUNDARY`] on, profile and which of
+/// a triple, decision, seed, number.
 const HEAD: usize = 4;
-/// The least first byte of a program on a boundary.
+/// First bytes that differ by this name one profile, so that bytes keep their meaning when a profile is added.
+const PROFILES: u8 = 32;
+/// The least first byte of a program on a boundary, followed by those below and those above it.
 const ON_BOUNDARY: u8 = 160;
 /// Bytes of an edit: what, which block, and by how much: a power of ten, and how often.
 const EDIT: usize = 5;
@@ -34,16 +38,25 @@ impl Edited {
     #[must_use]
     pub fn from_bytes(bytes: &[u8]) -> Option<Edited> {
         let (head, edits) = bytes.split_at_checked(HEAD)?;
-        let (name, _) = BUILTIN[usize::from(head[0]) % BUILTIN.len()];
-        let profile = Profile::builtin(name)?;
+        let profile = profile(usize::from(head[0] % PROFILES))?;
         let mut blocks = if head[0] < ON_BOUNDARY {
             let seed = u64::from(u16::from_le_bytes([head[1], head[2]]));
             program(seed, u64::from(head[3]), Reach::of(&profile))
         } else {
             let kind = DecisionKind::ALL[usize::from(head[1]) % DecisionKind::ALL.len()];
-            let triple = boundary::triples(kind, u64::from(head[2]), u64::from(head[3]), Reach::of(&profile))?;
-            let [_, on, _] = triple.programs;
-            on
+            let (seed, number) = (u64::from(head[2]), u64::from(head[3]));
+            match boundary::triples(kind, seed, number, Reach::of(&profile)) {
+                Some(triple) => {
+                    let [below, on, above] = triple.programs;
+                    match (head[0] - ON_BOUNDARY) / PROFILES {
+                        0 => on,
+                        1 => below,
+                        _ => above,
+                    }
+                }
+                // The profile never comes to that decision.
+                None => program(seed, number, Reach::of(&profile)),
+            }
         };
         for edit in edits.chunks_exact(EDIT).take(MOST_EDITS) {
             let times = i16::from_le_bytes([edit[3], edit[4]]);
@@ -52,6 +65,27 @@ impl Edited {
         }
         Some(Edited { profile, blocks })
     }
+}
+
+/// Limits and rules that no built-in profile has, for the numbers after theirs.
+const CHANGED: [(&str, &[(&str, &str)]); 6] = [
+    ("fanuc-30i-b", &[("small-vector-limit", "\"0.5\"")]),
+    ("fanuc-30i-b", &[("smallest-corner-cosine", "\"0.6\""), ("start-up-b", "\"direct\"")]),
+    ("siemens-840d-g451", &[("corner-limit-cosine", "\"0.6\""), ("reversal", "\"alarm\"")]),
+    ("okuma-osp", &[("side-change", "\"intersection\""), ("corner-owner", "\"previous\"")]),
+    ("linuxcnc", &[("straight-band-cosine", "\"0.96\""), ("arc-on-rapid", "\"line\"")]),
+    ("seed-mill", &[("small-vector-limit", "\"5\""), ("equal-radius", "\"degenerate-point\"")]),
+];
+
+/// A profile by its number: the built-in ones, and those that are changed.
+fn profile(number: usize) -> Option<Profile> {
+    static ALL: LazyLock<Vec<Option<Profile>>> = LazyLock::new(|| {
+        let built_in = BUILTIN.iter().map(|(name, _)| Profile::builtin(name));
+        let changed =
+            CHANGED.iter().map(|(base, changes)| Profile::changed(base, "changed", changes.iter().copied()).ok());
+        built_in.chain(changed).collect()
+    });
+    ALL[number % ALL.len()].clone()
 }
 
 /// Makes one edit, if the block has what it changes.
@@ -110,5 +144,15 @@ fn move_centre(block: &mut Block<Rational>, axis: usize, by: &Rational) {
 fn move_radius(blocks: &mut [Block<Rational>], by: &Rational) {
     if let Some(radius) = blocks.iter_mut().find_map(|block| block.radius.as_mut()) {
         *radius += by;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_number_is_a_profile() {
+        assert!((0..usize::from(PROFILES)).all(|number| profile(number).is_some()));
     }
 }

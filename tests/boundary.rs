@@ -35,14 +35,8 @@ const OWN: &[(&str, &str)] = &[
 ];
 
 fn own(name: &str, changes: &str) -> Profile {
-    let base = Profile::builtin("seed-mill").expect("built in");
-    let mut text = format!("name = {name:?}\ntitle = {name:?}\nextends = \"seed-mill\"\n");
-    for (key, value) in changes.split("; ").filter_map(|change| change.split_once(" = ")) {
-        let key = format!("compensation.{key}");
-        let clause = base.provenance_of(&key).expect("a parameter").clause;
-        text += &format!("{key} = {{ value = {value}, source = \"D\", clause = \"{clause}\" }}\n");
-    }
-    Profile::parse(&text, "own.toml").expect("a profile")
+    let changes = changes.split("; ").filter_map(|change| change.split_once(" = "));
+    Profile::changed("seed-mill", name, changes).expect("a profile")
 }
 
 fn profiles() -> impl Iterator<Item = Profile> {

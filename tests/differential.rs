@@ -30,16 +30,8 @@ fn a_hundred_thousand_corners_agree_under_the_built_in_profiles() {
 
 /// A profile that changes these parameters of a built-in one, given as `name = value`, by their names in the profile.
 fn changed(base: &str, changes: &[String]) -> Profile {
-    let built_in = Profile::builtin(base).expect("built in");
-    let mut text = format!("name = \"changed\"\ntitle = \"changed\"\nextends = \"{base}\"\n");
-    for change in changes {
-        let (name, value) = change.split_once(" = ").expect("name = value");
-        let entry = built_in.provenance.iter().find(|entry| entry.parameter.ends_with(&format!(".{name}")));
-        let entry = entry.unwrap_or_else(|| panic!("no parameter {name}"));
-        let (key, clause) = (entry.parameter, entry.clause);
-        text += &format!("{key} = {{ value = {value}, source = \"D\", clause = \"{clause}\" }}\n");
-    }
-    Profile::parse(&text, "changed.toml").unwrap_or_else(|error| panic!("{error}"))
+    let changes = changes.iter().map(|change| change.split_once(" = ").expect("name = value"));
+    Profile::changed(base, "changed", changes).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Every value of every parameter, each with others that it meets.

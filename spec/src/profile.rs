@@ -124,6 +124,7 @@ pub struct Provenance {
 pub const BUILTIN: &[(&str, &str)] = &[
     ("fanuc-16", include_str!("../profiles/fanuc-16.toml")),
     ("fanuc-30i", include_str!("../profiles/fanuc-30i.toml")),
+    ("fanuc-30i-b", include_str!("../profiles/fanuc-30i-b.toml")),
     ("haas-a", include_str!("../profiles/haas-a.toml")),
     ("haas-b", include_str!("../profiles/haas-b.toml")),
     ("linuxcnc", include_str!("../profiles/linuxcnc.toml")),
@@ -167,6 +168,30 @@ impl Profile {
             Ok(text) => Profile::parse(&text, &file_name),
             Err(reason) => Err(ProfileError::unreadable(&file_name, &reason)),
         }
+    }
+
+    /// A built-in profile with other values of some parameters: pairs of a parameter's name and its value as a profile's
+    /// file has it, `("start-up", "\"type-b\"")`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Profile::parse`]; the messages speak of a file with the profile's name, one line for each change after three.
+    pub fn changed<N: AsRef<str>, V: core::fmt::Display>(
+        base: &str,
+        name: &str,
+        changes: impl IntoIterator<Item = (N, V)>,
+    ) -> Result<Profile, ProfileError> {
+        let mut text = format!("name = {name:?}\ntitle = {name:?}\nextends = {base:?}\n");
+        for (parameter, value) in changes {
+            let ends = format!(".{}", parameter.as_ref());
+            let known = PARAMETERS.iter().find(|known| known.key.ends_with(&ends));
+            let (key, clause) = match known {
+                Some(known) => (known.key, known.clause.id()),
+                None => (parameter.as_ref(), ""),
+            };
+            text += &format!("{key} = {{ value = {value}, source = \"D\", clause = {clause:?} }}\n");
+        }
+        Profile::parse(&text, name)
     }
 
     /// What the control itself calls an alarm, where its sources say so.

@@ -107,26 +107,13 @@ impl Vector {
     ///
     /// A profile or parameter that does not exist, in words.
     pub fn profile(&self) -> Result<Profile, String> {
-        let base = Profile::builtin(&self.profile).ok_or_else(|| {
-            let known: Vec<_> = BUILTIN.iter().map(|(name, _)| *name).collect();
-            format!("no profile {}; there are {}", self.profile, known.join(", "))
-        })?;
         if self.set.is_empty() {
-            return Ok(base);
+            return Profile::builtin(&self.profile).ok_or_else(|| {
+                let known: Vec<_> = BUILTIN.iter().map(|(name, _)| *name).collect();
+                format!("no profile {}; there are {}", self.profile, known.join(", "))
+            });
         }
-        let mut text = format!("extends = {:?}\nname = \"vector\"\ntitle = \"a vector's own profile\"\n", self.profile);
-        for (name, value) in &self.set {
-            let entry = base
-                .provenance
-                .iter()
-                .find(|entry| entry.parameter.ends_with(&format!(".{name}")))
-                .ok_or_else(|| format!("no parameter {name}"))?;
-            text += &format!(
-                "{} = {{ value = {value}, source = \"D\", clause = \"{}\" }}\n",
-                entry.parameter, entry.clause
-            );
-        }
-        Profile::parse(&text, "vector").map_err(|error| error.to_string())
+        Profile::changed(&self.profile, "vector", &self.set).map_err(|error| error.to_string())
     }
 
     /// The vector's program, read under its profile with its tool; the reader's refusal if it refuses.

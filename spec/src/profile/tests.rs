@@ -109,7 +109,7 @@ fn faults_say_what_would_be_right() {
         ("[machine]", "[machines]", "machines", "`machines` is not a key of a profile; possible here: `name`, `title`, `extends`, `machine`, `activation`, `compensation`, `tips`, `alarms`"),
         (r#"name = "mine""#, r#"name = "my mill""#, r#""my mill""#, r#"`name` cannot be "my mill"; it can be lower-case letters, digits and hyphens"#),
         (r#"name = "mine""#, r#"name = "seed-mill""#, r#""seed-mill""#, r#""seed-mill" is a built-in profile that says something else; give the profile a name of its own"#),
-        (r#"name = "mine""#, "name = \"mine\"\nextends = \"fanuc\"", r#""fanuc""#, r#"`extends` cannot be "fanuc"; it can be "fanuc-16", "fanuc-30i", "haas-a", "haas-b", "linuxcnc", "mitsubishi-m700", "mori-lathe", "okuma-osp", "seed-mill", "siemens-840d", "siemens-840d-g451", "siemens-840d-kont", "siemens-840d-kont-g451", "yasnac-lx""#),
+        (r#"name = "mine""#, "name = \"mine\"\nextends = \"fanuc\"", r#""fanuc""#, r#"`extends` cannot be "fanuc"; it can be "fanuc-16", "fanuc-30i", "fanuc-30i-b", "haas-a", "haas-b", "linuxcnc", "mitsubishi-m700", "mori-lathe", "okuma-osp", "seed-mill", "siemens-840d", "siemens-840d-g451", "siemens-840d-kont", "siemens-840d-kont-g451", "yasnac-lx""#),
         (r#"name = "mine""#, "name = ", "", "this is not TOML: string values must be quoted, expected literal string"),
     ];
     for (from, to, marked, message) in cases {
