@@ -7,10 +7,9 @@ use radcomp::boundary::{self, Triple};
 use radcomp::device::{Answer, Device, DeviceFault};
 use radcomp::generate::{self, Reach};
 use radcomp::judge::{Budget, Grade, Judged, Verdict, judge};
-use radcomp_model::number::Real;
-use radcomp_model::{Decision, Engine, Run, Sink, run};
+use radcomp_model::{Decision, Engine, Sink, run};
 use radcomp_spec::profile::Profile;
-use radcomp_spec::{AdvisoryKind, Block, DecisionKind, Movement, Parameters, Segment, Step};
+use radcomp_spec::{AdvisoryKind, Block, DecisionKind, Movement, Parameters, Segment};
 use rug::Rational;
 
 type Blocks = Vec<Block<Rational>>;
@@ -26,7 +25,7 @@ impl Device for ExactOf<'_> {
     }
 
     fn answer(&mut self, parameters: &Parameters, _: &[Block<Rational>]) -> Result<Answer, DeviceFault> {
-        Ok(rounded(&run(parameters, self.0)))
+        Ok(Answer::from(&run(parameters, self.0)))
     }
 }
 
@@ -41,24 +40,6 @@ impl Device for Fixed {
     fn answer(&mut self, _: &Parameters, _: &[Block<Rational>]) -> Result<Answer, DeviceFault> {
         Ok(self.0.clone())
     }
-}
-
-fn rounded(run: &Run) -> Answer {
-    let point = |point: &[Real; 2]| point.each_ref().map(Real::to_f64);
-    let steps = run.steps.iter().map(|step| Step {
-        block: step.block,
-        clause: step.clause,
-        rapid: step.rapid,
-        main: step.main,
-        segment: match &step.segment {
-            Segment::Hold => Segment::Hold,
-            Segment::Line { end } => Segment::Line { end: point(end) },
-            Segment::Arc { end, centre, direction, full } => {
-                Segment::Arc { end: point(end), centre: point(centre), direction: *direction, full: *full }
-            }
-        },
-    });
-    Answer { steps: steps.collect(), alarm: run.alarm }
 }
 
 fn profile() -> Profile {
@@ -191,7 +172,7 @@ fn outside_every_band_there_is_one_outcome_to_within_delta() {
         if far || has_open_decision(&profile.parameters, &blocks, BETA) {
             continue;
         }
-        let answer = rounded(&exact);
+        let answer = Answer::from(&exact);
         let mut at = [0.0, 0.0];
         for index in 0..answer.steps.len() {
             let mut off = answer.clone();

@@ -5,9 +5,6 @@ use radcomp::device::Builtin;
 use radcomp::judge::{Budget, Grade, judge};
 use radcomp::vectors::Vector;
 
-/// Programs that are still judged red, and whose fault that is.
-const STILL_RED: [(&str, &str); 0] = [];
-
 #[test]
 fn no_promoted_program_is_red() {
     let mut judged = 0;
@@ -22,11 +19,7 @@ fn no_promoted_program_is_red() {
         let blocks: Vec<_> = program.blocks.into_iter().map(|read| read.block).collect();
         let budget = Budget { grade: Grade::Binary64, least_increment: 0.001, delta: 1e-6 };
         let verdict = judge(&mut Builtin, &profile.parameters, &blocks, &budget).verdict;
-        let known = STILL_RED.iter().find(|(stem, _)| path.file_stem().is_some_and(|name| name == *stem));
-        match known {
-            None => assert!(!verdict.is_red(), "{name}: {verdict:?}"),
-            Some((_, reason)) => assert!(verdict.is_red(), "{name} is green now: strike it off the list ({reason})"),
-        }
+        assert!(!verdict.is_red(), "{name}: {verdict:?}");
         judged += 1;
     }
     assert!(judged > 0, "there is nothing in tests/promoted");

@@ -34,23 +34,9 @@ fn blocks(text: &str, radius: u32) -> Vec<Block<Rational>> {
 
 /// The exact model's path, rounded.
 fn model_path(parameters: &Parameters, blocks: &[Block<Rational>]) -> Vec<Step<f64>> {
-    let point = |p: &[radcomp_model::number::Real; 2]| p.each_ref().map(|value| value.to_f64());
     let outcome = run(parameters, blocks);
     assert_eq!(outcome.alarm, None);
-    let steps = outcome.steps.into_iter().map(|step| Step {
-        block: step.block,
-        clause: step.clause,
-        rapid: step.rapid,
-        main: step.main,
-        segment: match &step.segment {
-            Segment::Hold => Segment::Hold,
-            Segment::Line { end } => Segment::Line { end: point(end) },
-            Segment::Arc { end, centre, direction, full } => {
-                Segment::Arc { end: point(end), centre: point(centre), direction: *direction, full: *full }
-            }
-        },
-    });
-    steps.collect()
+    radcomp::device::Answer::from(&outcome).steps
 }
 
 /// A path of lines: each block and end point.

@@ -22,7 +22,7 @@ use radcomp_model::run_with;
 use radcomp_spec::{Alarm, AlarmKind, Block, Centre, DecisionKind, Direction, Movement, Segment, Step};
 use rug::Rational;
 
-use reports::{DELTA, Tampered, answer, by_hand, end, inner, judged, profile, report, rounded, with_witness};
+use reports::{DELTA, Tampered, answer, by_hand, end, inner, judged, profile, report, with_witness};
 
 /// What the checker says of one case, after the report has been written and read.
 fn finding(case: Case) -> Finding {
@@ -144,7 +144,7 @@ fn other_branches_in_the_band_are_looked_at() {
         DecisionKind::EndOnArc => Ordering::Less,
         _ => decision.exact,
     });
-    let refused = rounded(&refused);
+    let refused = radcomp::device::Answer::from(&refused);
     is_refuted(by_hand("exact", &tight, &refused), "part at N1");
     is_confirmed(by_hand("admissible-without-witness", &tight, &refused));
     is_refuted(by_hand("inadmissible", &tight, &refused), "on other branches");

@@ -13,50 +13,17 @@ mod model;
 mod peer;
 mod table;
 
+use std::sync::LazyLock;
+
 use radcomp_spec::Parameters;
-use radcomp_spec::parameters::{
-    ArcExtension, ArcOnRapid, Cancel, CancelWithoutMovement, CornerOwner, EqualRadius, NegativeRadius, OuterCorner,
-    PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc,
-    StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
-};
+use radcomp_spec::profile::Profile;
 
 use contour::Contour;
 use measure::{Contestant, race};
 use table::{Row, nanoseconds, per_second, times};
 
 /// The choices of a usual mill; no branch of theirs is dearer than another.
-const PARAMETERS: Parameters = Parameters {
-    start_up: StartUp::TypeA,
-    start_up_lost: StartUpLost::Normal,
-    cancel: Cancel::TypeA,
-    outer_corner: OuterCorner::Intersection,
-    reversal: Reversal::Outer,
-    side_change: SideChange::IntersectionWithin,
-    side_change_after_start_up: SideChangeAfterStartUp::Alarm,
-    non_moving_allowed: Some(2),
-    corner_owner: CornerOwner::Next,
-    reversed_path: ReversedPath::Advisory,
-    arc_end_tolerance: Ratio { numerator: 1, denominator: 100 },
-    far_intersection: Ratio { numerator: 5, denominator: 1 },
-    start_up_b: StartUpB::ViaNormal,
-    start_up_without_movement: StartUpWithoutMovement::None,
-    start_up_arc: StartUpArc::Alarm,
-    cancel_without_movement: CancelWithoutMovement::None,
-    corner_limit_cosine: NONE,
-    arc_extension: ArcExtension::Tangent,
-    smallest_corner_cosine: NONE,
-    straight_band_cosine: NONE,
-    arc_on_rapid: ArcOnRapid::Arc,
-    small_vector_limit: NONE,
-    same_code: SameCode::Ordinary,
-    negative_radius: NegativeRadius::Alarm,
-    equal_radius: EqualRadius::Alarm,
-    zero_length_move: ZeroLengthMove::NoMovement,
-    pending_at_alarm: PendingAtAlarm::Ended,
-};
-
-/// A limit that there is not.
-const NONE: Ratio = Ratio { numerator: 0, denominator: 1 };
+static PARAMETERS: LazyLock<Parameters> = LazyLock::new(|| Profile::builtin("seed-mill").expect("built in").parameters);
 
 /// Vertices of the closed contours.
 const VERTICES: usize = 1000;

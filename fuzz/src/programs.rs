@@ -8,7 +8,7 @@ use radcomp::metamorphic;
 use radcomp::safety::{Contour, Finding, SafetyVerdict, check};
 use radcomp_model::number::Real;
 use radcomp_model::{Run, run};
-use radcomp_spec::{AdvisoryKind, Block, DecisionKind, Parameters, Segment, Step};
+use radcomp_spec::{AdvisoryKind, Block, DecisionKind, Parameters, Segment};
 use rug::Rational;
 
 use crate::ledger;
@@ -106,7 +106,7 @@ pub fn safety(bytes: &[u8]) {
         let contour = Contour::of(&blocks);
         judged.exact.alarm.map_or_else(|| contour.clone(), |alarm| contour.clone().before(alarm.block))
     };
-    let exact: Vec<_> = judged.exact.steps.iter().map(rounded).collect();
+    let exact: Vec<_> = judged.exact.steps.iter().map(|step| step.map(Real::to_f64)).collect();
     let exact = check(&contour(), &exact, GOUGE);
     if !safe(&exact) {
         return;
@@ -126,18 +126,6 @@ pub fn safety(bytes: &[u8]) {
 
 fn safe(verdict: &SafetyVerdict) -> bool {
     matches!(verdict.path, Finding::Safe { .. })
-}
-
-fn rounded(step: &Step<Real>) -> Step<f64> {
-    let point = |point: &[Real; 2]| point.each_ref().map(Real::to_f64);
-    let segment = match &step.segment {
-        Segment::Line { end } => Segment::Line { end: point(end) },
-        Segment::Arc { end, centre, direction, full } => {
-            Segment::Arc { end: point(end), centre: point(centre), direction: *direction, full: *full }
-        }
-        Segment::Hold => Segment::Hold,
-    };
-    Step { block: step.block, clause: step.clause, rapid: step.rapid, main: step.main, segment }
 }
 
 /// A device with a fault that shows only near the boundary of one decision: whoever cannot find it has not looked there.

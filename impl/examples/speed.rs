@@ -1,11 +1,13 @@
 //! Nanoseconds a block: `cargo run --release -p radcomp-impl --example speed`.
 
 use std::hint::black_box;
+use std::sync::LazyLock;
 use std::time::Instant;
 
 use radcomp_impl::{Engine, Sink};
-use radcomp_spec::parameters::*;
-use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, Segment, Side, Step};
+use radcomp_spec::parameters::ReversedPath;
+use radcomp_spec::profile::Profile;
+use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, Parameters, Segment, Side, Step};
 
 #[derive(Default)]
 struct Sum(f64, usize);
@@ -20,37 +22,7 @@ impl Sink for Sum {
     }
 }
 
-const PARAMETERS: Parameters = Parameters {
-    start_up: StartUp::TypeA,
-    start_up_lost: StartUpLost::Normal,
-    cancel: Cancel::TypeA,
-    outer_corner: OuterCorner::Intersection,
-    reversal: Reversal::Outer,
-    side_change: SideChange::IntersectionWithin,
-    side_change_after_start_up: SideChangeAfterStartUp::Alarm,
-    non_moving_allowed: Some(2),
-    corner_owner: CornerOwner::Next,
-    reversed_path: ReversedPath::Advisory,
-    arc_end_tolerance: Ratio { numerator: 1, denominator: 100 },
-    far_intersection: Ratio { numerator: 5, denominator: 1 },
-    start_up_b: StartUpB::ViaNormal,
-    start_up_without_movement: StartUpWithoutMovement::None,
-    start_up_arc: StartUpArc::Alarm,
-    cancel_without_movement: CancelWithoutMovement::None,
-    corner_limit_cosine: NONE,
-    arc_extension: ArcExtension::Tangent,
-    smallest_corner_cosine: NONE,
-    straight_band_cosine: NONE,
-    arc_on_rapid: ArcOnRapid::Arc,
-    small_vector_limit: NONE,
-    same_code: SameCode::Ordinary,
-    negative_radius: NegativeRadius::Alarm,
-    equal_radius: EqualRadius::Alarm,
-    zero_length_move: ZeroLengthMove::NoMovement,
-    pending_at_alarm: PendingAtAlarm::Ended,
-};
-
-const NONE: Ratio = Ratio { numerator: 0, denominator: 1 };
+static PARAMETERS: LazyLock<Parameters> = LazyLock::new(|| Profile::builtin("seed-mill").expect("built in").parameters);
 
 /// Corners to both sides, of all kinds.
 fn program(with_arcs: bool) -> Vec<Block<f64>> {
@@ -98,7 +70,7 @@ fn measure(name: &str, blocks: &[Block<f64>], parameters: &Parameters) {
 
 fn main() {
     println!("Engine: {} bytes", size_of::<Engine>());
-    let alarm = Parameters { reversed_path: ReversedPath::Alarm, ..PARAMETERS };
+    let alarm = Parameters { reversed_path: ReversedPath::Alarm, ..*PARAMETERS };
     measure("lines", &program(false), &PARAMETERS);
     measure("lines, reversed paths looked for", &program(false), &alarm);
     measure("arcs", &program(true), &PARAMETERS);

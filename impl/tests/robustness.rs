@@ -128,7 +128,7 @@ fn parameters() -> impl Strategy<Value = Parameters> {
         equal_radius: rest.5,
         zero_length_move: rest.6,
         non_moving_allowed: rest.7,
-        ..SEED_MILL
+        ..*SEED_MILL
     })
 }
 

@@ -38,7 +38,7 @@ fn a_move_takes_the_rate_of_its_owner() {
         (3, clause::TRC_MODE_04, true, true),
     ];
     assert_eq!(flags(&SEED_MILL, &blocks), expected);
-    let previous = Parameters { corner_owner: CornerOwner::Previous, ..SEED_MILL };
+    let previous = Parameters { corner_owner: CornerOwner::Previous, ..*SEED_MILL };
     let expected: [Flags; 5] = [
         (0, clause::TRC_START_02, false, true),
         (1, clause::TRC_CORNER_08, false, true),
@@ -101,7 +101,7 @@ fn a_start_up_block_without_movement_moves_at_its_own_rate() {
     let shift = Parameters {
         start_up_without_movement: StartUpWithoutMovement::Shift,
         cancel_without_movement: CancelWithoutMovement::Shift,
-        ..SEED_MILL
+        ..*SEED_MILL
     };
     let on = rapid(Block { radius: Some(5.0), ..code(LEFT) });
     let off = code(Compensation::Off);
@@ -134,7 +134,7 @@ fn a_start_up_block_without_movement_moves_at_its_own_rate() {
 
 #[test]
 fn a_tool_that_stands_at_the_programmed_point_stays() {
-    let shift = Parameters { cancel_without_movement: CancelWithoutMovement::Shift, ..SEED_MILL };
+    let shift = Parameters { cancel_without_movement: CancelWithoutMovement::Shift, ..*SEED_MILL };
     let start = Block { radius: Some(0.0), ..start() };
     let expected: [Flags; 2] = [(0, clause::TRC_START_05, false, true), (1, clause::TRC_LOOK_01, false, false)];
     assert_eq!(flags(&shift, &[start, code(Compensation::Off)]), expected);
@@ -142,7 +142,7 @@ fn a_tool_that_stands_at_the_programmed_point_stays() {
 
 #[test]
 fn any_number_of_blocks_without_movement_keeps_its_rates() {
-    let unbounded = Parameters { non_moving_allowed: None, ..SEED_MILL };
+    let unbounded = Parameters { non_moving_allowed: None, ..*SEED_MILL };
     let mut blocks = vec![start(), line(10.0, 0.0)];
     let rate = |block: usize| block / 100 % 2 == 1;
     blocks.extend((2..1500).map(|block| Block { rapid: rate(block), ..Block::empty() }));
@@ -157,7 +157,7 @@ fn any_number_of_blocks_without_movement_keeps_its_rates() {
 #[test]
 fn a_block_that_moves_and_stops_loses_the_look_ahead_behind_it() {
     let stops = |block| Block { stops_look_ahead: true, ..block };
-    let no_vector = Parameters { start_up_lost: StartUpLost::NoVector, ..SEED_MILL };
+    let no_vector = Parameters { start_up_lost: StartUpLost::NoVector, ..*SEED_MILL };
     let blocks = [stops(start()), Block::empty(), line(10.0, 0.0), stops(line(20.0, 0.0)), line(20.0, 10.0)];
     let expected: [Flags; 5] = [
         (0, clause::TRC_START_04, false, true),
@@ -182,7 +182,7 @@ fn movement_words_beside_a_code_that_is_not_for_offset_mode_are_not_looked_at() 
 
 #[test]
 fn the_last_start_up_block_without_movement_counts() {
-    let shift = Parameters { start_up_without_movement: StartUpWithoutMovement::Shift, ..SEED_MILL };
+    let shift = Parameters { start_up_without_movement: StartUpWithoutMovement::Shift, ..*SEED_MILL };
     let on = |radius| Block { radius: Some(radius), ..code(LEFT) };
     let (steps, alarm) = run(&shift, &[on(5.0), on(4.0), line(10.0, 0.0)]);
     assert_eq!((alarm, steps[1].segment.clone()), (None, Segment::Line { end: [0.0, 4.0] }));
@@ -196,7 +196,7 @@ fn the_last_start_up_block_without_movement_counts() {
 #[test]
 fn an_entry_arc_runs_from_where_the_tool_stands() {
     // After G40 without movement the tool stands at (5, 5), the program at (5, 0).
-    let entry = Parameters { start_up_arc: StartUpArc::MovedCentre, arc_end_tolerance: WIDE, ..SEED_MILL };
+    let entry = Parameters { start_up_arc: StartUpArc::MovedCentre, arc_end_tolerance: WIDE, ..*SEED_MILL };
     let arc = Movement::Arc { end: [15.0, 10.0], centre: Centre::FromStart([0.0, 10.0]), direction: COUNTER };
     let enters = Block { compensation: Some(LEFT), ..Block::moving(arc) };
     let (steps, alarm) = run(&entry, &[start(), code(Compensation::Off), enters, line(15.0, 30.0)]);

@@ -162,7 +162,7 @@ fn all_sequences_of_every_policy() {
                         non_moving_allowed,
                         side_change,
                         side_change_after_start_up,
-                        ..SEED_MILL
+                        ..*SEED_MILL
                     };
                     explore_all(&parameters, 3);
                 }
@@ -194,7 +194,7 @@ fn all_sequences_of_every_start_and_end() {
                             start_up_lost,
                             non_moving_allowed: Some(1),
                             side_change_after_start_up: SideChangeAfterStartUp::Allowed,
-                            ..SEED_MILL
+                            ..*SEED_MILL
                         };
                         explore_all(&parameters, 3);
                     }
@@ -212,7 +212,7 @@ fn all_sequences_of_five() {
             start_up_lost: StartUpLost::NoVector,
             non_moving_allowed: Some(1),
             side_change_after_start_up: SideChangeAfterStartUp::Allowed,
-            ..SEED_MILL
+            ..*SEED_MILL
         };
         explore_all(&parameters, 5);
     }
@@ -220,7 +220,7 @@ fn all_sequences_of_five() {
 
 #[test]
 fn the_longest_run_is_held() {
-    let parameters = Parameters { non_moving_allowed: Some(8), ..SEED_MILL };
+    let parameters = Parameters { non_moving_allowed: Some(8), ..*SEED_MILL };
     let mut window = Window::new(&parameters);
     let mut watch = Watch { next: 0, read: 0, pending: None, bad: 0 };
     let line = Event { code: Some(Compensation::On(Side::Left)), rapid: rapid(0), ..Event::of(Kind::Line) };

@@ -42,6 +42,21 @@ pub enum Segment<N> {
     Hold,
 }
 
+impl<N> Step<N> {
+    /// The same step in other numbers.
+    pub fn map<M>(&self, number: impl Fn(&N) -> M) -> Step<M> {
+        let point = |[a, b]: &Point<N>| [number(a), number(b)];
+        let segment = match &self.segment {
+            Segment::Hold => Segment::Hold,
+            Segment::Line { end } => Segment::Line { end: point(end) },
+            Segment::Arc { end, centre, direction, full } => {
+                Segment::Arc { end: point(end), centre: point(centre), direction: *direction, full: *full }
+            }
+        };
+        Step { block: self.block, clause: self.clause, rapid: self.rapid, main: self.main, segment }
+    }
+}
+
 /// A fault of the program that ends the path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Alarm {

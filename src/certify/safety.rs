@@ -7,7 +7,7 @@ use radcomp_spec::{Block, Step};
 use rug::Rational;
 
 use crate::device::Answer;
-use crate::judge::{Budget, rounded};
+use crate::judge::Budget;
 use crate::safety::{Contour, Finding, SafetyVerdict, check};
 
 /// The safety verdicts on the device's path and on the exact one.
@@ -33,7 +33,7 @@ impl Safety {
             let steps: Vec<_> = steps.into_iter().filter(|step| before(step.block)).collect();
             check(&contour, &steps, budget.delta)
         };
-        Safety { device: judged(answer.steps.clone()), exact: judged(rounded(exact)) }
+        Safety { device: judged(answer.steps.clone()), exact: judged(Answer::from(exact).steps) }
     }
 }
 

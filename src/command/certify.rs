@@ -287,7 +287,10 @@ pub(super) fn print(
         writeln!(out, "  of these, expected failures: {} (waived)", tally.counts.expected_failure)?;
     }
     if let Some(share) = tally.needed_share() {
-        writeln!(out, "would pass with {share:.3e} of the band β as well, and with no smaller share")?;
+        writeln!(
+            out,
+            "the witnesses found need at most {share:.3e} of the band β: the device passes with that share too"
+        )?;
     }
     let verdict = match is_pass(outcome, allow_unsupported) {
         true => "PASS",

@@ -6,7 +6,6 @@ use clap::{Args, ValueEnum};
 use radcomp::device::{Answer, Builtin, Device, DeviceFault};
 use radcomp::safety::{Contour, Finding, Gouge, SafetyVerdict, check};
 use radcomp_model::run;
-use radcomp_spec::{Segment, Step};
 
 use super::failure::{Failure, Verdict};
 use super::options::Options;
@@ -118,21 +117,7 @@ fn exact(control: &Control, blocks: &[radcomp_spec::Block<rug::Rational>]) -> Re
     if outcome.contradiction {
         return Err(Failure::Input("radcomp itself is at fault: its exact answers contradict each other".to_owned()));
     }
-    let point = |point: &[radcomp_model::number::Real; 2]| point.each_ref().map(|value| value.to_f64());
-    let rounded = |step: Step<radcomp_model::number::Real>| Step {
-        block: step.block,
-        clause: step.clause,
-        rapid: step.rapid,
-        main: step.main,
-        segment: match &step.segment {
-            Segment::Hold => Segment::Hold,
-            Segment::Line { end } => Segment::Line { end: point(end) },
-            Segment::Arc { end, centre, direction, full } => {
-                Segment::Arc { end: point(end), centre: point(centre), direction: *direction, full: *full }
-            }
-        },
-    };
-    Ok(Answer { steps: outcome.steps.into_iter().map(rounded).collect(), alarm: outcome.alarm })
+    Ok(Answer::from(&outcome))
 }
 
 fn fault(fault: DeviceFault) -> Failure {

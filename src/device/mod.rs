@@ -19,6 +19,8 @@ pub use builtin::{Builtin, round};
 pub use fault::DeviceFault;
 pub use open::{DeviceName, DeviceNameError};
 
+use radcomp_model::Run;
+use radcomp_model::number::Real;
 use radcomp_spec::{Alarm, Block, Parameters, Step};
 use rug::Rational;
 
@@ -29,6 +31,13 @@ pub struct Answer {
     pub steps: Vec<Step<f64>>,
     /// The alarm that ended it.
     pub alarm: Option<Alarm>,
+}
+
+impl From<&Run> for Answer {
+    /// The model's outcome in `f64`, each coordinate within one unit in the last place.
+    fn from(run: &Run) -> Answer {
+        Answer { steps: run.steps.iter().map(|step| step.map(Real::to_f64)).collect(), alarm: run.alarm }
+    }
 }
 
 /// An implementation of tool-radius compensation.

@@ -46,33 +46,12 @@ pub enum Difference {
     Alarm(Option<Alarm>, Option<Alarm>),
 }
 
-/// The model's outcome in f64, each coordinate within one unit in the last place.
-pub(crate) fn rounded(run: &Run) -> Vec<Step<f64>> {
-    let point = |[a, b]: &[radcomp_model::number::Real; 2]| [a.to_f64(), b.to_f64()];
-    run.steps
-        .iter()
-        .map(|step| Step {
-            block: step.block,
-            clause: step.clause,
-            rapid: step.rapid,
-            main: step.main,
-            segment: match &step.segment {
-                Segment::Hold => Segment::Hold,
-                Segment::Line { end } => Segment::Line { end: point(end) },
-                Segment::Arc { end, centre, direction, full } => {
-                    Segment::Arc { end: point(end), centre: point(centre), direction: *direction, full: *full }
-                }
-            },
-        })
-        .collect()
-}
-
 /// The first divergence of a device's answer from an outcome, if any is larger than the tolerance.
 pub(crate) fn divergence(run: &Run, answer: &Answer, tolerance: Tolerance) -> Option<Divergence> {
     if let Some(divergence) = not_finite(answer) {
         return Some(divergence);
     }
-    let expected = strokes(&rounded(run), tolerance, true);
+    let expected = strokes(&Answer::from(run).steps, tolerance, true);
     let observed = strokes(&answer.steps, tolerance, true);
     if let Some(divergence) = first_difference(&expected, &observed, tolerance, true) {
         return Some(divergence);

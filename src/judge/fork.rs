@@ -1,9 +1,10 @@
 //! The outcomes that a device may reach by taking another branch at decisions inside the band.
 //!
 //! A decision is inside the band if an input within β takes its margin to the other sign, or to zero; an interval
-//! that certainly holds every such margin ([`radcomp_model::number::Real::reach`]) tells which are not. A decision that
-//! is taken after the answer has parted from an outcome for good cannot bring the two together, and is not answered
-//! otherwise.
+//! that holds every value of the margin's expression at such inputs ([`radcomp_model::number::Real::reach`]) tells which
+//! are not. Another input may choose another expression, the longer of two lengths for the shorter; what is chosen so
+//! scales a margin and does not change its sign. A decision that is taken after the answer has parted from an outcome
+//! for good cannot bring the two together, and is not answered otherwise.
 
 use std::cmp::Ordering;
 use std::collections::VecDeque;

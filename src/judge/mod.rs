@@ -13,8 +13,8 @@ mod verdict;
 mod witness;
 
 pub use budget::{Budget, Grade};
+pub(crate) use compare::path_difference;
 pub use compare::{Difference, Divergence};
-pub(crate) use compare::{path_difference, rounded};
 pub use fork::Flip;
 pub(crate) use stroke::Tolerance;
 pub use stroke::{Shape, Stroke};

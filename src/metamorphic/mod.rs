@@ -22,7 +22,7 @@ use radcomp_spec::{AdvisoryKind, Block, DecisionKind, Parameters, Step};
 use rug::Rational;
 
 use crate::device::{Answer, Device, DeviceFault, ask};
-use crate::judge::{Budget, Tolerance, path_difference, rounded};
+use crate::judge::{Budget, Tolerance, path_difference};
 
 /// A relation that a device breaks.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,7 +107,7 @@ fn check_reversal(
         |there: &[Step<f64>], back: &[Step<f64>]| path_difference(&reversal::reversed(there), back, tolerance, false);
     // Some rules know before and after: look-ahead, the corner that a change of side makes, start-up and cancel of
     // different types.
-    if differ(&rounded(&exact[0]), &rounded(&exact[1])).is_some() {
+    if differ(&Answer::from(&exact[0]).steps, &Answer::from(&exact[1]).steps).is_some() {
         return None;
     }
     let [there, back] = programs.map(|program| ask(device, parameters, program).ok());

@@ -7,10 +7,9 @@ use radcomp::judge::{Budget, Grade, judge};
 use radcomp::report::{
     AnswerRecord, Binary, BlockRecord, Bucket, Case, Cases, Cause, DeviceRecord, Head, Report, case,
 };
-use radcomp_model::number::Real;
-use radcomp_model::{Run, run};
+use radcomp_model::run;
 use radcomp_spec::profile::Profile;
-use radcomp_spec::{Block, Compensation, Movement, Parameters, Segment, Side, Step};
+use radcomp_spec::{Block, Compensation, Movement, Parameters, Segment, Side};
 use rug::Rational;
 
 /// δ of every report here, β being 0.0005.
@@ -40,25 +39,7 @@ pub fn inner() -> Vec<Block<Rational>> {
 
 /// The outcome of a program, rounded.
 pub fn answer(blocks: &[Block<Rational>]) -> Answer {
-    rounded(&run(&profile().parameters, blocks))
-}
-
-pub fn rounded(run: &Run) -> Answer {
-    let point = |[a, b]: &[Real; 2]| [a.to_f64(), b.to_f64()];
-    let steps = run.steps.iter().map(|step| Step {
-        block: step.block,
-        clause: step.clause,
-        rapid: step.rapid,
-        main: step.main,
-        segment: match &step.segment {
-            Segment::Hold => Segment::Hold,
-            Segment::Line { end } => Segment::Line { end: point(end) },
-            Segment::Arc { end, centre, direction, full } => {
-                Segment::Arc { end: point(end), centre: point(centre), direction: *direction, full: *full }
-            }
-        },
-    });
-    Answer { steps: steps.collect(), alarm: run.alarm }
+    Answer::from(&run(&profile().parameters, blocks))
 }
 
 /// The end of a straight step, to be changed.

@@ -2,9 +2,11 @@
 
 #![allow(dead_code, reason = "each test uses its part of it")]
 
+use std::sync::LazyLock;
+
 use radcomp_impl::{Engine, Sink};
-use radcomp_spec::parameters::*;
-use radcomp_spec::{Alarm, Block, Segment, Step};
+use radcomp_spec::profile::Profile;
+use radcomp_spec::{Alarm, Block, Parameters, Segment, Step};
 
 /// Keeps the path.
 #[derive(Default)]
@@ -17,37 +19,8 @@ impl Sink for Path {
 }
 
 /// The parameters of `seed-mill`.
-pub const SEED_MILL: Parameters = Parameters {
-    start_up: StartUp::TypeA,
-    start_up_lost: StartUpLost::Normal,
-    cancel: Cancel::TypeA,
-    outer_corner: OuterCorner::Intersection,
-    reversal: Reversal::Outer,
-    side_change: SideChange::IntersectionWithin,
-    side_change_after_start_up: SideChangeAfterStartUp::Alarm,
-    non_moving_allowed: Some(2),
-    corner_owner: CornerOwner::Next,
-    reversed_path: ReversedPath::Advisory,
-    arc_end_tolerance: Ratio { numerator: 1, denominator: 100 },
-    far_intersection: Ratio { numerator: 5, denominator: 1 },
-    start_up_b: StartUpB::ViaNormal,
-    start_up_without_movement: StartUpWithoutMovement::None,
-    start_up_arc: StartUpArc::Alarm,
-    cancel_without_movement: CancelWithoutMovement::None,
-    corner_limit_cosine: NONE,
-    arc_extension: ArcExtension::Tangent,
-    smallest_corner_cosine: NONE,
-    straight_band_cosine: NONE,
-    arc_on_rapid: ArcOnRapid::Arc,
-    small_vector_limit: NONE,
-    same_code: SameCode::Ordinary,
-    negative_radius: NegativeRadius::Alarm,
-    equal_radius: EqualRadius::Alarm,
-    zero_length_move: ZeroLengthMove::NoMovement,
-    pending_at_alarm: PendingAtAlarm::Ended,
-};
-
-const NONE: Ratio = Ratio { numerator: 0, denominator: 1 };
+pub static SEED_MILL: LazyLock<Parameters> =
+    LazyLock::new(|| Profile::builtin("seed-mill").expect("built in").parameters);
 
 /// The path of a program, and the alarm that ended it.
 pub fn run(parameters: &Parameters, blocks: &[Block<f64>]) -> (Vec<Step<f64>>, Option<Alarm>) {

@@ -19,14 +19,14 @@ proptest! {
         // cos α = 0.6, [TRC-CORNER-13], and M = (10, 5) in units of half the radius.
         let rest = [frame.line(-6, -8)];
         let clause = |limit| {
-            let by = Parameters { outer_corner: OuterCorner::LimitAngle, corner_limit_cosine: limit, ..SEED_MILL };
+            let by = Parameters { outer_corner: OuterCorner::LimitAngle, corner_limit_cosine: limit, ..*SEED_MILL };
             corner(&frame.run(frame.length(5), &by, &rest).0)
         };
         prop_assert_eq!(clause(thousandths(600)).0, clause::TRC_CORNER_13);
         prop_assert!(near(clause(thousandths(600)).1, frame.point(10, 5)));
         prop_assert_eq!(clause(thousandths(599)).0, clause::TRC_CORNER_10);
         // At right angles the limit 0 is met exactly.
-        let square = Parameters { outer_corner: OuterCorner::LimitAngle, ..SEED_MILL };
+        let square = Parameters { outer_corner: OuterCorner::LimitAngle, ..*SEED_MILL };
         let corner_of = |rest| corner(&frame.run(frame.length(5), &square, &[rest]).0).0;
         prop_assert_eq!(corner_of(frame.line(0, -10)), clause::TRC_CORNER_06);
         prop_assert_eq!(corner_of(frame.line(-1, -100)), clause::TRC_CORNER_10);
@@ -36,7 +36,7 @@ proptest! {
     #[test]
     fn smallest_corners(frame in frame()) {
         let clause = |cosine| {
-            let smallest = Parameters { cancel: Cancel::TypeB, smallest_corner_cosine: thousandths(cosine), ..SEED_MILL };
+            let smallest = Parameters { cancel: Cancel::TypeB, smallest_corner_cosine: thousandths(cosine), ..*SEED_MILL };
             let cancel = Block { compensation: Some(Compensation::Off), ..frame.line(-6, -8) };
             corner(&frame.run(frame.length(5), &smallest, &[cancel]).0).0
         };
@@ -49,7 +49,7 @@ proptest! {
         for (y, other) in [(7, clause::TRC_CORNER_03), (-7, clause::TRC_CORNER_06)] {
             let clause = |numerator| {
                 let straight = Ratio { numerator, denominator: 10_000 };
-                let straight = Parameters { straight_band_cosine: straight, ..SEED_MILL };
+                let straight = Parameters { straight_band_cosine: straight, ..*SEED_MILL };
                 corner(&frame.run(frame.length(5), &straight, &[frame.line(24, y)]).0).0
             };
             prop_assert_eq!(clause(9600), clause::TRC_CORNER_16);
@@ -59,7 +59,7 @@ proptest! {
 
     #[test]
     fn radii_that_are_equal(frame in frame()) {
-        let point = Parameters { equal_radius: EqualRadius::DegeneratePoint, ..SEED_MILL };
+        let point = Parameters { equal_radius: EqualRadius::DegeneratePoint, ..*SEED_MILL };
         let arc = frame.arc((0, 20), (0, 10), LEFT);
         let runs = |more: i64| frame.run(frame.length(10) + more, &point, std::slice::from_ref(&arc));
         let (steps, alarm) = runs(0);
@@ -76,7 +76,7 @@ proptest! {
     #[test]
     fn entries_as_long_as_the_tool(frame in frame()) {
         // The start-up block of the frame runs over 10.
-        let entry = Parameters { start_up: StartUp::EntryNormal, ..SEED_MILL };
+        let entry = Parameters { start_up: StartUp::EntryNormal, ..*SEED_MILL };
         prop_assert_eq!(frame.run(frame.length(10), &entry, &[]).1, Some(AlarmKind::EntryTooShort));
         prop_assert_eq!(frame.run(frame.length(10) - 1, &entry, &[]).1, None);
     }
@@ -84,7 +84,7 @@ proptest! {
     #[test]
     fn entries_that_turn_by_a_right_angle(frame in frame()) {
         // From (0, 0) about (-4, 3) to (1, 3), the tool inside.
-        let entry = Parameters { start_up_arc: StartUpArc::MovedCentre, ..SEED_MILL };
+        let entry = Parameters { start_up_arc: StartUpArc::MovedCentre, ..*SEED_MILL };
         let arc = |radius| {
             let arc = frame.arc((1, 3), (-4, 3), LEFT);
             let start = Block { compensation: Some(Compensation::On(Side::Left)), radius: Some(radius), ..arc };
@@ -99,7 +99,7 @@ proptest! {
     #[test]
     fn curves_that_touch_beyond_a_corner(frame in frame()) {
         // [TRC-CORNER-14]: about (8, 0), R' = 8 - r and h = r.
-        let curve = Parameters { arc_extension: ArcExtension::Curve, ..SEED_MILL };
+        let curve = Parameters { arc_extension: ArcExtension::Curve, ..*SEED_MILL };
         let arc = frame.arc((8, -8), (8, 0), LEFT);
         let runs = |more: i64| frame.run(frame.length(4) + more, &curve, std::slice::from_ref(&arc));
         let (steps, alarm) = runs(0);
@@ -123,7 +123,7 @@ proptest! {
 
     #[test]
     fn contacts_anywhere(frame in frame()) {
-        let anywhere = Parameters { side_change: SideChange::Intersection, ..SEED_MILL };
+        let anywhere = Parameters { side_change: SideChange::Intersection, ..*SEED_MILL };
         // Straight on into an arc: two points equally near to P.
         let arc = right(frame.arc((5, 5), (0, 5), LEFT));
         let (steps, _) = frame.run(frame.length(1), &anywhere, &[arc]);

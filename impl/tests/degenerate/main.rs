@@ -40,7 +40,7 @@ proptest! {
             prop_assert_eq!(corner(&steps).0, expected);
             prop_assert!(near(corner(&steps).1, frame.point(x, y)));
         }
-        let parameters = Parameters { reversal: Reversal::Alarm, ..SEED_MILL };
+        let parameters = Parameters { reversal: Reversal::Alarm, ..*SEED_MILL };
         prop_assert_eq!(frame.run(radius, &parameters, &[frame.line(-7, 0)]).1, Some(AlarmKind::Reversal));
     }
 
@@ -96,7 +96,7 @@ proptest! {
 
     #[test]
     fn grooves_as_wide_as_the_tool(frame in frame()) {
-        let parameters = Parameters { reversed_path: ReversedPath::Alarm, ..SEED_MILL };
+        let parameters = Parameters { reversed_path: ReversedPath::Alarm, ..*SEED_MILL };
         let groove = [frame.line(0, 10), frame.line(-50, 10)];
         let alarm = |more: i64| frame.run(frame.length(5) + more, &parameters, &groove).1;
         prop_assert_eq!(alarm(0), None);
@@ -106,7 +106,7 @@ proptest! {
 
     #[test]
     fn ends_of_arcs(frame in frame()) {
-        let exact = Parameters { arc_end_tolerance: Ratio { numerator: 0, denominator: 1 }, ..SEED_MILL };
+        let exact = Parameters { arc_end_tolerance: Ratio { numerator: 0, denominator: 1 }, ..*SEED_MILL };
         let arc = |end| [frame.arc(end, (-8, 6), LEFT)];
         prop_assert_eq!(frame.run(frame.length(1), &exact, &arc((-16, 12))).1, None);
         prop_assert_eq!(frame.run(frame.length(1), &exact, &arc((2, 6))).1, None);
@@ -116,7 +116,7 @@ proptest! {
 
     #[test]
     fn line_in_of_no_length(frame in frame()) {
-        let lost = Parameters { non_moving_allowed: Some(0), ..SEED_MILL };
+        let lost = Parameters { non_moving_allowed: Some(0), ..*SEED_MILL };
         let rest = [Block::empty(), frame.arc((0, 20), (0, 10), LEFT)];
         let (steps, alarm) = frame.run(frame.length(2), &lost, &rest);
         prop_assert_eq!(alarm, None);

@@ -19,11 +19,24 @@ thread_local! {
 ///
 /// What is answered rests on exact signs alone.
 pub fn within_bits<T>(bits: i64, compute: impl FnOnce() -> T) -> Option<T> {
-    let before = (MOST_BITS.replace(bits), GIVEN_UP.replace(false));
+    let limits = Before { most_bits: MOST_BITS.replace(bits), given_up: GIVEN_UP.replace(false) };
     let value = compute();
-    MOST_BITS.set(before.0);
-    let given_up = GIVEN_UP.replace(before.1);
+    let given_up = GIVEN_UP.get();
+    drop(limits);
     (!given_up).then_some(value)
+}
+
+/// Puts back what held before, also when the computation panics.
+struct Before {
+    most_bits: i64,
+    given_up: bool,
+}
+
+impl Drop for Before {
+    fn drop(&mut self) {
+        MOST_BITS.set(self.most_bits);
+        GIVEN_UP.set(self.given_up);
+    }
 }
 
 /// Whether a sign may take so many bits; if not, it is noted.

@@ -8,7 +8,6 @@ use rug::Rational;
 
 use crate::device::Answer;
 use crate::explain::{Programmed, Shape};
-use crate::judge::rounded;
 use crate::plot::piece::{Form, Piece, Trace};
 use crate::report::Case;
 
@@ -45,7 +44,7 @@ pub(super) fn gather(case: &Case, parameters: &Parameters) -> Gathered {
     let blocks: Vec<Block<Rational>> = case.program.iter().map(Block::from).collect();
     let exact = run(parameters, &blocks);
     let answer = case.answer.as_ref().map(Answer::from).unwrap_or_default();
-    let (expected, observed) = (pieces(&rounded(&exact)), pieces(&answer.steps));
+    let (expected, observed) = (pieces(&Answer::from(&exact).steps), pieces(&answer.steps));
     let end = |end: Option<[crate::report::Binary; 2]>| {
         end.map(|point| point.map(|value| value.0)).filter(|point| point.iter().all(|value| is_drawn(*value)))
     };
