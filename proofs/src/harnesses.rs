@@ -3,7 +3,7 @@
 //! `unwind` is one more than the most turns of any loop: of the look-ahead's over the blocks it holds, and of the
 //! harness over its events.
 
-use crate::{Choice, engine, look_ahead, rounding};
+use crate::{Choice, engine, interface, look_ahead, rounding};
 
 #[cfg(kani_stand_in)]
 use crate::kani;
@@ -47,6 +47,9 @@ proofs! {
     one_block: 5, |choice| engine::one_block(choice, 4);
     two_lines: 5, |choice| engine::programs(choice, &engine::plain(), 2, 2);
     state_after_an_alarm: 5, |choice| engine::after_an_alarm(choice, 3);
+    new_of_the_c_interface: 4, interface::new;
+    calls_of_the_c_interface: 50, interface::calls;
+    number_reader: 7, |choice| interface::number::<5>(choice, &[]);
     sign_is_odd: 2, rounding::odd;
     sign_is_sound: 2, rounding::sound;
     sign_of_not_a_number: 2, rounding::not_a_number;

@@ -10,6 +10,7 @@
 
 pub mod choice;
 pub mod engine;
+pub mod interface;
 pub mod look_ahead;
 pub mod rounding;
 

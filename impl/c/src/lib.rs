@@ -18,7 +18,7 @@ mod step;
 
 pub use block::*;
 pub use device::*;
-pub use profile::parameters;
+pub use profile::{parameters, ratio};
 pub use state::*;
 pub use status::*;
 pub use step::*;

@@ -105,17 +105,28 @@ fn word<T: Copy>(text: &str, name: &str, values: &[(&str, T)]) -> Option<T> {
     values.iter().find(|(known, _)| *known == id).map(|(_, value)| *value)
 }
 
-/// A decimal such as `0.01`, or a ratio such as `1/3`.
-fn ratio(text: &str) -> Option<Ratio> {
+/// Reads a decimal such as `0.01`, or a ratio such as `1/3`: digits, with at most one point or stroke between two of them.
+/// None if the text is anything else, a part of it is more than 2³² - 1, or the denominator is zero.
+pub fn ratio(text: &str) -> Option<Ratio> {
     if let Some((numerator, denominator)) = text.split_once('/') {
-        let (numerator, denominator) = (numerator.parse().ok()?, denominator.parse().ok()?);
+        let (numerator, denominator) = (digits(numerator, 0)?, digits(denominator, 0)?);
         return (denominator > 0).then_some(Ratio { numerator, denominator });
     }
-    let (whole, decimals) = text.split_once('.').unwrap_or((text, ""));
-    let mut numerator = 0_u32;
-    for digit in whole.chars().chain(decimals.chars()) {
-        numerator = numerator.checked_mul(10)?.checked_add(digit.to_digit(10)?)?;
+    match text.split_once('.') {
+        None => Some(Ratio { numerator: digits(text, 0)?, denominator: 1 }),
+        Some((whole, decimals)) => {
+            let numerator = digits(decimals, digits(whole, 0)?)?;
+            Some(Ratio { numerator, denominator: 10_u32.checked_pow(u32::try_from(decimals.len()).ok()?)? })
+        }
     }
-    let denominator = 10_u32.checked_pow(u32::try_from(decimals.len()).ok()?)?;
-    (!whole.is_empty()).then_some(Ratio { numerator, denominator })
+}
+
+/// The number that has these digits, of which there is at least one, after those of `before`.
+fn digits(text: &str, before: u32) -> Option<u32> {
+    let mut value = before;
+    for byte in text.bytes() {
+        let digit = char::from(byte).to_digit(10)?;
+        value = value.checked_mul(10)?.checked_add(digit)?;
+    }
+    (!text.is_empty()).then_some(value)
 }

@@ -4,7 +4,7 @@ use core::ffi::{CStr, c_char};
 use core::mem::{align_of, size_of};
 
 use radcomp_impl::{Engine, Sink};
-use radcomp_spec::{Alarm, Step};
+use radcomp_spec::{Alarm, Parameters, Step};
 
 use crate::block::radcomp_block;
 use crate::profile::parameters;
@@ -17,6 +17,13 @@ use crate::step::{radcomp_alarm, radcomp_step};
 pub struct radcomp_state {
     mark: u64,
     engine: Engine,
+}
+
+impl radcomp_state {
+    /// The state of a program that begins, for callers in Rust.
+    pub fn new(parameters: &Parameters) -> Self {
+        radcomp_state { mark: MARK, engine: Engine::new(parameters) }
+    }
 }
 
 /// As many bytes as the memory of a state has to have, at any address.
@@ -58,7 +65,7 @@ pub unsafe extern "C" fn radcomp_new(
     let Some(parameters) = text.to_str().ok().and_then(parameters) else { return RADCOMP_PROFILE };
     let place = memory.wrapping_add(offset).cast::<radcomp_state>();
     // SAFETY: `place` is aligned, and the state ends within the `size` bytes that the caller promises.
-    unsafe { place.write(radcomp_state { mark: MARK, engine: Engine::new(&parameters) }) };
+    unsafe { place.write(radcomp_state::new(&parameters)) };
     // SAFETY: the caller promises that `state` can be written to.
     unsafe { state.write(place) };
     RADCOMP_OK
