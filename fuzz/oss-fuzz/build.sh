@@ -4,10 +4,10 @@ cd "$SRC/radcomp/fuzz"
 cargo fuzz build -O
 
 release=target/x86_64-unknown-linux-gnu/release
-for target in model_and_implementation kernels metamorphic reader round_trip profile_file safety; do
+for target in model_and_implementation kernels metamorphic reader round_trip profile_file safety hostile_device hostile_caller; do
     cp "$release/$target" "$OUT/"
     case $target in
-        reader | kernels) seeds=seeds/$target ;;
+        reader | kernels | hostile_device | hostile_caller) seeds=seeds/$target ;;
         profile_file) seeds=../spec/profiles ;;
         *) seeds=seeds/programs ;;
     esac
@@ -15,3 +15,4 @@ for target in model_and_implementation kernels metamorphic reader round_trip pro
 done
 cp dictionaries/gcode.dict "$OUT/reader.dict"
 cp dictionaries/profile.dict "$OUT/profile_file.dict"
+for target in hostile_device hostile_caller; do cp dictionaries/protocol.dict "$OUT/$target.dict"; done

@@ -79,6 +79,10 @@ fn step(margin: f64) -> usize {
 pub fn report() -> String {
     let (runs, waived) = (RUNS.load(Ordering::Relaxed), WAIVED.load(Ordering::Relaxed));
     let mut report = format!("{runs} inputs, {waived} red verdicts waived\n");
+    if TAKEN.iter().all(|taken| taken.load(Ordering::Relaxed) == 0) {
+        report += "no decision was looked at: the target is not about programs\n";
+        return report;
+    }
     for (kind, decision) in DecisionKind::ALL.iter().enumerate() {
         for (side, name) in ["below", "on", "above"].into_iter().enumerate() {
             let place = kind * SIDES + side;

@@ -6,6 +6,7 @@ pub mod kernels;
 pub mod ledger;
 pub mod ordinary;
 pub mod programs;
+pub mod protocol;
 pub mod text;
 
 /// Makes a target of a function of bytes.

@@ -135,7 +135,7 @@ int32_t device(const char *given, const radcomp_block *told, size_t block_count,
         steps[*count - 1].shape = RADCOMP_LINE;
         steps[*count - 1].end[1] = NAN;
     }
-    if (FAULT == HANG && one_in(told, block_count, 400)) {
+    if (FAULT == HANG && one_in(told, block_count, 150)) {
         sleep(3600);
     }
     if (FAULT == CRASH && one_in(told, block_count, 60)) {

@@ -1,0 +1,5 @@
+//! Requests that a hostile caller writes.
+
+#![cfg_attr(fuzzing, no_main)]
+
+radcomp_fuzz::target!(radcomp_fuzz::protocol::hostile_caller);
