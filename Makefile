@@ -51,7 +51,7 @@ bench: setup ## Print the table of speed and size, each figure beside its refere
 lint: ## Check the format and deny every lint
 	@scripts/setup --lint
 	@color=never; if [ -t 1 ]; then color=auto; fi; set -x; $(CARGO) fmt --all --check -- --color $$color
-	$(CARGO) clippy $(LOCKED) --workspace --all-targets -- -D warnings
+	$(CARGO) clippy $(LOCKED) --release --workspace --all-targets -- -D warnings
 
 doc: setup ## Build the documentation, without warnings
-	RUSTDOCFLAGS="-D warnings" $(CARGO) doc $(LOCKED) --workspace --no-deps
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc $(LOCKED) --release --workspace --no-deps
