@@ -106,3 +106,12 @@ fn a_device_that_ends_arcs_late_is_found_by_running_backwards() {
     let broken = check(&mut device, 400);
     assert!(broken.iter().any(|broken| broken.relation == "running backwards"));
 }
+
+/// Where a contact of two nearly parallel offsets lies decimetres off, rounding moves it by more than δ.
+#[test]
+fn what_inputs_within_the_band_explain_is_no_broken_relation() {
+    let profile = Profile::builtin("okuma-osp").expect("built in");
+    let blocks = generate::program(1, 50_848, Reach::of(&profile));
+    let broken = metamorphic::check(&mut Builtin, &profile.parameters, &blocks, &BUDGET);
+    assert!(broken.is_empty(), "{:?}", broken.iter().map(|broken| &broken.difference).collect::<Vec<_>>());
+}

@@ -22,4 +22,4 @@ pub use decision::{Decision, Sink, Stop};
 pub use engine::Engine;
 pub use geometry::Vector;
 pub use rules::tip::tip;
-pub use run::{Run, run, run_with};
+pub use run::{Run, run, run_on_inputs, run_with};

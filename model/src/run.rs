@@ -35,8 +35,21 @@ pub fn run_with<'a>(
     blocks: impl IntoIterator<Item = &'a Block<Rational>>,
     answer: impl FnMut(&Decision) -> Ordering,
 ) -> Run {
+    follow(Engine::new(parameters), blocks, answer)
+}
+
+/// Runs a program exactly, remembering which numbers of the outcome come from the program: [`Real::reach`] then tells what
+/// a change of the program makes of them. Slower than [`run`].
+pub fn run_on_inputs<'a>(parameters: &Parameters, blocks: impl IntoIterator<Item = &'a Block<Rational>>) -> Run {
+    follow(Engine::on_inputs(parameters), blocks, |decision| decision.exact)
+}
+
+fn follow<'a>(
+    mut engine: Engine,
+    blocks: impl IntoIterator<Item = &'a Block<Rational>>,
+    answer: impl FnMut(&Decision) -> Ordering,
+) -> Run {
     let mut recorder = Recorder { run: Run::default(), answer };
-    let mut engine = Engine::new(parameters);
     let stopped = blocks
         .into_iter()
         .try_for_each(|block| engine.push(block, &mut recorder))
