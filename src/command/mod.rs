@@ -1,6 +1,7 @@
 //! The command line: one file for each subcommand.
 
 mod alarm;
+mod answer;
 mod certificate;
 mod certify;
 mod check;
@@ -23,7 +24,6 @@ mod promote;
 mod replay;
 mod run;
 mod safety;
-mod serve;
 mod terminal;
 mod verify_witness;
 
@@ -71,7 +71,7 @@ enum Command {
     DeviceKit(device_kit::DeviceKit),
     Gen(r#gen::Gen),
     Check(check::Check),
-    Serve(serve::Serve),
+    Answer(answer::Answer),
     VerifyWitness(verify_witness::VerifyWitness),
     Replay(replay::Replay),
     Compare(compare::Compare),
@@ -95,7 +95,7 @@ pub fn main() -> ExitCode {
         Command::DeviceKit(command) => command.execute(),
         Command::Gen(command) => command.execute(),
         Command::Check(command) => command.execute(),
-        Command::Serve(command) => command.execute(),
+        Command::Answer(command) => command.execute(),
         Command::VerifyWitness(command) => command.execute(),
         Command::Replay(command) => command.execute(),
         Command::Compare(command) => command.execute(),

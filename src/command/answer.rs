@@ -1,4 +1,4 @@
-//! `radcomp serve`.
+//! `radcomp answer`.
 
 use std::io::{self, BufReader};
 
@@ -15,8 +15,8 @@ use super::{device, options};
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  radcomp gen --profile seed-mill | radcomp serve builtin | radcomp check --profile seed-mill")]
-pub struct Serve {
+  radcomp gen --profile seed-mill | radcomp answer builtin | radcomp check --profile seed-mill")]
+pub struct Answer {
     /// The device
     #[arg(value_name = "DEVICE", default_value = "builtin")]
     device: String,
@@ -26,7 +26,7 @@ pub struct Serve {
     profile: String,
 }
 
-impl Serve {
+impl Answer {
     /// Answers until the input ends.
     pub fn execute(&self) -> Result<Verdict, Failure> {
         let profile: Profile = options::profile(&self.profile)?;
