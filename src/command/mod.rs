@@ -24,6 +24,7 @@ mod promote;
 mod replay;
 mod run;
 mod safety;
+mod serve;
 mod terminal;
 mod verify_witness;
 
@@ -53,6 +54,7 @@ Examples:
   radcomp replay report.json
   radcomp compare before.json after.json
   radcomp certificate report.json --make-key key.pem --output certificate.json
+  radcomp serve
   radcomp profiles yasnac-lx
   radcomp clause TRC-CORNER-08
 
@@ -71,6 +73,7 @@ enum Command {
     DeviceKit(device_kit::DeviceKit),
     Gen(r#gen::Gen),
     Check(check::Check),
+    Serve(serve::Serve),
     Answer(answer::Answer),
     VerifyWitness(verify_witness::VerifyWitness),
     Replay(replay::Replay),
@@ -95,6 +98,7 @@ pub fn main() -> ExitCode {
         Command::DeviceKit(command) => command.execute(),
         Command::Gen(command) => command.execute(),
         Command::Check(command) => command.execute(),
+        Command::Serve(command) => command.execute(),
         Command::Answer(command) => command.execute(),
         Command::VerifyWitness(command) => command.execute(),
         Command::Replay(command) => command.execute(),

@@ -24,6 +24,13 @@ pub enum Choice {
     Line(u32),
 }
 
+/// How a block is written.
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    Text { bold: bool },
+    Json,
+}
+
 /// Writes what happens in each block. It holds the blocks that are not settled yet, no more.
 ///
 /// Feed it a block with [`Teller::read`] before the engine is given the block, and hand it to the engine as the sink;
@@ -33,7 +40,7 @@ pub struct Teller<W> {
     out: W,
     choice: Choice,
     digits: usize,
-    bold: bool,
+    form: Form,
     next: usize,
     program: Programmed,
     side: Option<Side>,
@@ -49,7 +56,7 @@ impl<W: Write> Teller<W> {
             out,
             choice,
             digits,
-            bold,
+            form: Form::Text { bold },
             next: 0,
             program: Programmed::new(),
             side: None,
@@ -57,6 +64,14 @@ impl<W: Write> Teller<W> {
             told: 0,
             result: Ok(()),
         }
+    }
+
+    /// The same teller, but it writes each block as a JSON object on a line of its own: `block`, its index from 0; `line`;
+    /// `n`; `text`; `rows`, each with `name`, `words` and, where there are any, `margin` (`decimal`, `exact`), `clause` and
+    /// `exact`; `clauses`, those whose sentences the text would give.
+    #[must_use]
+    pub fn as_json(self) -> Self {
+        Teller { form: Form::Json, ..self }
     }
 
     /// The next block, which the engine will read after this.
@@ -83,6 +98,11 @@ impl<W: Write> Teller<W> {
             alarm: None,
         });
         self.next += 1;
+    }
+
+    /// What has been written so far.
+    pub fn into_inner(self) -> W {
+        self.out
     }
 
     /// How writing went so far.
@@ -125,7 +145,11 @@ impl<W: Write> Teller<W> {
             let Some(section) = self.open.pop_front() else { return };
             if self.result.is_ok() && self.chosen(&section.source) {
                 self.told += 1;
-                self.result = self.out.write_all(section.text(self.digits, self.bold).as_bytes());
+                let explanation = section.explanation(self.digits);
+                self.result = match self.form {
+                    Form::Text { bold } => self.out.write_all(explanation.text(bold).as_bytes()),
+                    Form::Json => writeln!(self.out, "{}", explanation.json()),
+                };
             }
         }
     }
