@@ -22,6 +22,8 @@ pub enum Choice {
     Sequence(String),
     /// The one in this line.
     Line(u32),
+    /// Those in these lines.
+    Lines(Vec<u32>),
 }
 
 /// How a block is written.
@@ -158,6 +160,7 @@ impl<W: Write> Teller<W> {
         match &self.choice {
             Choice::All => true,
             Choice::Line(line) => source.line == *line,
+            Choice::Lines(lines) => lines.contains(&source.line),
             Choice::Sequence(wanted) => {
                 let bare = |digits: &str| digits.trim_start_matches('0').to_owned();
                 source.sequence.as_deref().is_some_and(|sequence| bare(sequence) == bare(wanted))

@@ -23,6 +23,8 @@ pub struct Asked {
     pub offset: u32,
     /// Its radius in millimetres, a decimal; if it is empty, the tool table alone counts.
     pub radius: String,
+    /// The lines, from 1, whose blocks are told.
+    pub lines: Vec<u32>,
     /// The radii that are tried instead of `radius`.
     pub radii: Vec<String>,
     /// Its tip orientation, if it has one.

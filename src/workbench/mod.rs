@@ -8,6 +8,8 @@
 //! | `GET /` and the files beside it | the page |
 //! | `GET /rules.json` | the profiles, the clauses with their first sentences, and the example programs |
 //! | `POST /run` | the outcome of a program, see [`run`] |
+//! | `POST /blocks` | what there is to tell of the blocks in some lines, see [`blocks`] |
+//! | `POST /path` | the path in exact numbers, see [`path`] |
 //! | `POST /radii` | with which of some radii the program ends in an alarm |
 //! | `POST /request` | the program as one request of the pipe protocol, for a device |
 //!
@@ -15,18 +17,23 @@
 
 mod asked;
 mod drawing;
+mod outcome;
 mod overlay;
 mod page;
+mod radii;
 mod route;
 mod server;
 mod study;
+mod told;
 mod trouble;
 
 use std::time::Duration;
 
 pub use asked::Asked;
+pub use outcome::run;
 pub use server::Server;
-pub use study::{Patience, run};
+pub use study::Patience;
+pub use told::{blocks, path};
 pub use trouble::Trouble;
 
 /// The most blocks of a program in the workbench.

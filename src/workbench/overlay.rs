@@ -5,9 +5,9 @@ use radcomp_spec::profile::Profile;
 use radcomp_spec::{Alarm, Step};
 use serde_json::{Value, json};
 
-use super::study::Study;
-use super::{Asked, MOST_JUDGED, drawing};
-use crate::device::wire::Reply;
+use super::study::{Patience, Study};
+use super::{Asked, MOST_JUDGED, Trouble, drawing};
+use crate::device::wire::{self, Reply};
 use crate::device::{Answer, Builtin, DeviceFault, ask};
 use crate::explain::Source;
 use crate::judge::{Budget, Difference, Divergence, Grade, Verdict, judge_answer};
@@ -40,7 +40,7 @@ pub(super) fn device(asked: &Asked, study: &Study, profile: &Profile, exact: &Ru
             "text": alarm.kind.text(),
         })),
     });
-    if asked.safety {
+    if asked.safety && study.refused.is_none() {
         let stop = [exact.alarm, answer.alarm].into_iter().flatten().map(|alarm| alarm.block).min();
         record["safety"] = safety(study, &answer.steps, stop);
     }
@@ -51,6 +51,21 @@ pub(super) fn device(asked: &Asked, study: &Study, profile: &Profile, exact: &Ru
         }
     };
     record
+}
+
+/// The program as one request of the pipe protocol, on one line.
+///
+/// # Errors
+///
+/// As [`run`](super::run); also a program that cannot be read to its end.
+pub(super) fn request(asked: &Asked, patience: &Patience) -> Result<String, Trouble> {
+    let profile = asked.control()?;
+    let study = Study::read(asked, &profile, patience)?;
+    if let Some(refused) = &study.refused {
+        return Err(Trouble::wrong(refused.to_string()));
+    }
+    let record = wire::ProfileRecord::new(&profile, &profile.parameters);
+    wire::request("workbench", &profile, &record, &study.blocks).map_err(|fault| Trouble::wrong(fault.text()))
 }
 
 /// An answer of the pipe protocol: one line, or one object over several lines.
@@ -122,7 +137,8 @@ pub(super) fn safety(study: &Study, path: &[Step<f64>], stop: Option<usize>) -> 
     }
     record["start_up"] = finding(&verdict.start_up, study);
     record["cancel"] = finding(&verdict.cancel, study);
-    record["uncut"] = verdict.uncut.map_or(Value::Null, |uncut| {
+    // What lies after an alarm is uncut of course.
+    record["uncut"] = verdict.uncut.filter(|_| stop.is_none()).map_or(Value::Null, |uncut| {
         json!({
             "block": uncut.contour_block,
             "text": format!("{:.6} mm of {} left uncut", uncut.length, name_of(&study.sources, uncut.contour_block)),

@@ -14,7 +14,7 @@ use tokio::sync::Semaphore;
 use tokio::task::spawn_blocking;
 use tokio::time::timeout;
 
-use super::{Asked, Limits, Patience, Trouble, page, study};
+use super::{Asked, Limits, Patience, Trouble, outcome, overlay, page, radii, told};
 
 /// What all requests share.
 pub(super) struct Bench {
@@ -79,9 +79,11 @@ async fn route(bench: &Bench, request: Request<Incoming>) -> Result<(&'static st
     }
     let path = request.uri().path().to_owned();
     let work: Option<Work> = match &*path {
-        "/run" => Some(study::run),
-        "/radii" => Some(study::radii),
-        "/request" => Some(study::request),
+        "/run" => Some(outcome::run),
+        "/blocks" => Some(told::blocks),
+        "/path" => Some(told::path),
+        "/radii" => Some(radii::radii),
+        "/request" => Some(overlay::request),
         _ => None,
     };
     match (request.method(), work) {

@@ -4,6 +4,8 @@
 const SPACE = "http://www.w3.org/2000/svg";
 const MOST_TOOLS = 300;
 const MOST_PINS = 1500;
+/** So many names are placed; those after them are left out, until the picture shows less of the program. */
+const MOST_NAMES = 250;
 
 export const LEGEND = [
   ["programmed", "programmed contour"], ["lead", "programmed start-up, cancel"], ["compensated", "tool centre, compensated"],
@@ -57,6 +59,9 @@ function bounds(outcome, moved) {
     if (shape.about) for (let part = 1; part < 16; part++) hold(along(shape, part / 16).at);
   }
   for (const tool of outcome.tools) hold(tool.at, tool.radius);
+  for (const { shape, tool } of moved) {
+    if (tool) { hold(shape.from, tool); hold(shape.to, tool); }
+  }
   const size = Math.max(right - left, high - low, 1e-3);
   const edge = size * 0.06;
   return [left - edge, -high - edge, right - left + 2 * edge, high - low + 2 * edge];
@@ -102,25 +107,27 @@ export class Drawing {
     for (const safety of [outcome.safety, outcome.device?.safety]) this.gouge(lines, safety);
     this.hits(group("hit"), moved);
     this.collect(group("pins"), moved);
-    this.visible();
     this.highlight(this.chosen);
-    this.zoomed();
+    this.svg.setAttribute("viewBox", this.box.map(number).join(" "));
+    this.visible();
   }
 
   /** The area that the tool sweeps in offset mode is the path, as wide as the tool. */
   swept(group, moved) {
     let open = null;
+    const lines = [];
     for (const { shape, tool } of moved) {
       const cutting = shape.trace === "compensated" || shape.trace === "corner";
       const radius = tool ?? open?.radius;
       if (!cutting || !radius) { open = null; continue; }
       if (!open || open.radius !== radius) {
         const line = element("path", { "stroke-width": number(2 * radius) }, group);
-        open = { radius, line, d: "M" + place(shape.from) };
+        open = { radius, line, data: ["M" + place(shape.from)] };
+        lines.push(open);
       }
-      open.d += onward(shape);
-      open.line.setAttribute("d", open.d);
+      open.data.push(onward(shape));
     }
+    for (const { line, data } of lines) line.setAttribute("d", data.join(""));
   }
 
   tools(group, tools) {
@@ -203,21 +210,26 @@ export class Drawing {
   pin() {
     const scale = this.scale();
     const taken = [];
+    const [left, top, wide, tall] = this.box;
+    const seen = ([x, y]) => x > left - wide && x < left + 2 * wide && -y > top - tall && -y < top + 2 * tall;
     const free = (box) => taken.every((other) => box[0] > other[2] || box[2] < other[0] || box[1] > other[3] || box[3] < other[1]);
     for (const pin of [...this.pins].sort((a, b) => (b.first ?? false) - (a.first ?? false))) {
       let [x, y] = [pin.at[0], -pin.at[1]];
-      let hidden = pin.length !== undefined && pin.length / scale < 34;
-      if (pin.name !== undefined) {
-        const [wide, tall] = [pin.name.length * 3.6 + 2, 7];
-        const spots = [[0, -13], [0, 17], [wide + 8, 0], [-wide - 8, 0], [wide, -14], [-wide, -14], [wide, 18], [-wide, 18]];
-        const boxed = ([right, down]) => [x / scale + right - wide, y / scale + down - tall, x / scale + right + wide, y / scale + down + tall];
+      let hidden = !seen(pin.at) || (pin.length !== undefined && pin.length / scale < 34);
+      if (pin.name !== undefined && !pin.first && (taken.length >= MOST_NAMES || !this.shown.names)) {
+        hidden = true;
+      } else if (pin.name !== undefined && !hidden) {
+        const [half, high] = [pin.name.length * 3.6 + 2, 7];
+        const spots = [[0, -13], [0, 17], [half + 8, 0], [-half - 8, 0], [half, -14], [-half, -14], [half, 18], [-half, 18]];
+        const boxed = ([right, down]) => [x / scale + right - half, y / scale + down - high, x / scale + right + half, y / scale + down + high];
         const spot = spots.find((spot) => free(boxed(spot)));
-        hidden = !pin.first && (!this.shown.names || !spot);
+        hidden = !pin.first && !spot;
         const [right, down] = spot ?? spots[0];
         if (!hidden) taken.push(boxed([right, down]));
         [x, y] = [x + right * scale, y + (down + 4) * scale];
       }
       pin.node.toggleAttribute("hidden", hidden);
+      if (hidden) continue;
       const turn = pin.turn === undefined ? "" : ` rotate(${number(pin.turn * 180 / Math.PI)})`;
       pin.node.setAttribute("transform", `translate(${number(x)} ${number(y)}) scale(${scale})${turn}`);
     }

@@ -23,24 +23,40 @@ function told(exact) {
 }
 
 export class Story {
-  /** `rules` as the server gives them; `choose` is called with the block that a person goes to. */
-  constructor(rules, places, choose) {
+  /** `rules` as the server gives them; `choose` is called with the block that a person goes to; `ask` asks the server
+      for more about the outcome that is shown. */
+  constructor(rules, places, choose, ask) {
     this.rules = rules;
     this.places = places;
     this.choose = choose;
+    this.ask = ask;
     places.pathPart.addEventListener("toggle", () => this.table());
   }
 
   show(outcome) {
-    const open = new Set([...this.places.blocks.querySelectorAll("details[open]")].map((block) => block.dataset.text));
+    const same = this.outcome?.blocks.length === outcome.blocks.length
+      && outcome.blocks.every((block, index) => block.text === this.outcome.blocks[index].text && block.line === this.outcome.blocks[index].line);
+    const chips = this.chips(outcome);
     this.outcome = outcome;
     this.cards();
-    const moves = new Map();
-    for (const step of outcome.path) if (step.shape) moves.set(step.block, step.shape.trace);
-    this.places.blocks.replaceChildren(...outcome.blocks.map((block) => this.block(block)));
-    for (const block of this.places.blocks.children) if (open.has(block.dataset.text)) block.open = true;
+    if (same) {
+      // While the radius is dragged, only what the lines end with changes, and what is open.
+      [...this.places.blocks.children].forEach((details, block) => this.change(details, chips.get(block) ?? []));
+    } else {
+      this.places.blocks.replaceChildren(...outcome.blocks.map((block) => this.block(block, chips.get(block.block) ?? [])));
+    }
+    this.fill();
     this.places.pathCount.textContent = `(${outcome.path.length} elements)`;
     this.table();
+  }
+
+  change(details, chips) {
+    const place = details.querySelector(".chips");
+    if (place.textContent !== chips.map((chip) => chip.textContent).join("")) place.replaceChildren(...chips);
+    if (details.dataset.told) {
+      while (details.children.length > 1) details.lastChild.remove();
+      delete details.dataset.told;
+    }
   }
 
   card(kind, title, ...more) {
@@ -53,20 +69,27 @@ export class Story {
 
   sentence(id) {
     const clause = this.rules.clauses[id];
-    return make("p", { class: "clause-text" }, make("code", {}, id), " ", clause ? `${clause.title}: ${clause.sentence}` : "");
+    if (!clause) return make("p", {}, make("code", {}, id));
+    // Formulas stand between backticks.
+    const parts = clause.sentence.split("`").map((part, index) => (index % 2 ? make("code", {}, part) : part));
+    return make("p", { class: "clause-text" }, make("code", {}, id), ` ${clause.title}: `, ...parts);
   }
 
   cards() {
     const { alarm, refused, warnings, safety, device, blocks, path, milliseconds } = this.outcome;
     const cards = [];
+    const count = (of, one) => `${of} ${one}${of === 1 ? "" : "s"}`;
     if (alarm) {
       const number = alarm.number ? make("p", { class: "quiet" }, `The control calls it: ${alarm.number}`) : null;
       cards.push(this.card("fail alarm", `Alarm ${alarm.alarm}`, " at ", this.go(alarm.block, named(alarm)), ": " + alarm.text + ".",
         this.sentence(alarm.clause), number));
     } else if (!refused) {
-      const count = (of, one) => `${of} ${one}${of === 1 ? "" : "s"}`;
       cards.push(this.card("pass", "No alarm", make("p", { class: "quiet" },
         `${count(blocks.length, "block")}, ${count(path.length, "path element")}; computed in ${milliseconds.toFixed(1)} ms`)));
+    }
+    if (refused) {
+      cards.push(this.card("neutral", `Read as far as line ${refused.line}`, make("p", { class: "quiet" },
+        `${count(blocks.length, "block")} before the fault; the last corner is open.`)));
     }
     for (const warning of warnings.slice(0, 4)) {
       const exact = warning.amount.exact && !told(warning.amount.exact) ? ` = ${warning.amount.exact}` : "";
@@ -103,17 +126,52 @@ export class Story {
     return cards;
   }
 
-  block(block) {
-    const chips = [];
-    const names = new Set(block.rows.map((row) => row.name));
-    if (names.has("ALARM")) chips.push(make("span", { class: "chip fail" }, "alarm"));
-    if (names.has("WARNING")) chips.push(make("span", { class: "chip expected" }, "warning"));
-    for (const clause of block.clauses) chips.push(make("span", { class: "chip clause" }, clause.replace("TRC-", "")));
+  /** What stands at the end of a block's line: its alarm, its warnings, its clauses. */
+  chips({ path, warnings, alarm }) {
+    const chips = new Map();
+    const add = (block, kind, text) => {
+      const list = chips.get(block) ?? [];
+      if (!list.some((chip) => chip.textContent === text)) list.push(make("span", { class: "chip " + kind }, text));
+      chips.set(block, list);
+    };
+    if (alarm) add(alarm.block, "fail", "alarm");
+    for (const { block } of warnings) add(block, "expected", "warning");
+    for (const { block, clause } of [...path, ...warnings, ...(alarm ? [alarm] : [])]) add(block, "clause", clause.replace("TRC-", ""));
+    return chips;
+  }
+
+  block(block, chips) {
     const summary = make("summary", { onclick: () => this.choose(block.block, false) },
-      make("span", { class: "at" }, String(block.line)), make("code", { class: "text" }, block.text.trim()), ...chips);
-    const details = make("details", { class: "block", "data-block": block.block, "data-text": block.line + block.text }, summary);
-    details.addEventListener("toggle", () => { if (details.open && details.children.length === 1) details.append(...this.body(block)); });
+      make("span", { class: "at" }, String(block.line)), make("code", { class: "text" }, block.text.trim()), make("span", { class: "chips" }, ...chips));
+    const details = make("details", { class: "block", "data-block": block.block, "data-line": block.line }, summary);
+    details.addEventListener("toggle", () => this.fill());
     return details;
+  }
+
+  /** Asks for what is open and not told yet. */
+  async fill() {
+    if (this.filling) return;
+    this.filling = true;
+    await Promise.resolve();
+    for (;;) {
+      const empty = [...this.places.blocks.querySelectorAll("details[open]:not([data-told])")];
+      if (empty.length === 0) break;
+      const lines = empty.map((details) => Number(details.dataset.line));
+      for (const details of empty) details.dataset.told = "asked";
+      const { outcome } = this;
+      const told = await this.ask("/blocks", { lines }).catch((problem) => problem);
+      if (outcome !== this.outcome) {
+        for (const details of empty) delete details.dataset.told;
+        continue;
+      }
+      const bodies = told instanceof Error ? new Map() : new Map(told.map((block) => [block.line, block]));
+      for (const details of empty) {
+        const block = bodies.get(Number(details.dataset.line));
+        const why = told instanceof Error ? told.message : "The tool stops before this block is read.";
+        details.append(...(block ? this.body(block) : [make("p", { class: "told quiet" }, why)]));
+      }
+    }
+    this.filling = false;
   }
 
   body(block) {
@@ -134,14 +192,18 @@ export class Story {
   }
 
   /** Fills the table of the path, when it is open. */
-  table() {
-    if (!this.places.pathPart.open || !this.outcome) return;
-    const points = this.outcome.path.map((step) => step.end).filter(Boolean);
-    const axes = Object.keys(points[0] ?? {});
+  async table() {
+    const { outcome } = this;
+    if (!this.places.pathPart.open || !outcome || this.tabled === outcome) return;
+    this.tabled = outcome;
+    const path = await this.ask("/path", {}).catch(() => null);
+    if (!path || this.outcome !== outcome) return;
+    const axes = Object.keys(path.find((step) => step.end)?.end ?? {});
     const head = ["Line", "N", "Element", ...axes.map((axis) => axis + ", mm"), "Clause"];
     const cells = head.map((title) => make("th", { scope: "col" }, title));
     this.places.table.tHead.replaceChildren(make("tr", {}, ...cells));
-    this.places.table.tBodies[0].replaceChildren(...this.outcome.path.map((step) => this.row(step, axes)));
+    this.places.table.tBodies[0].replaceChildren(...path.map((step) => this.row(step, axes)));
+    this.places.table.dataset.radius = String(outcome.radius);
   }
 
   row(step, axes) {

@@ -8,8 +8,8 @@ import { Story, make } from "./story.js";
 
 const id = (name) => document.getElementById(name);
 const MOST_BYTES = 4 * 1024 * 1024;
-/** How many radii the strip below the slider tries. */
-const TRIED = 48;
+/** How many radii the strip below the slider tries at a time. */
+const TRIED = 50;
 /** The fields of a state that are the values of controls. */
 const VALUES = { profile: "profile", profile_file: "profile-file", tools: "tools", radius: "radius", device: "answer" };
 
@@ -18,8 +18,10 @@ const editor = new Editor(id("program"), id("gutter"), (line) => chooseLine(line
 const drawing = new Drawing(id("view"), (block) => choose(block, true));
 const story = new Story(rules, {
   state: id("state"), blocks: id("blocks"), pathPart: id("path-part"), pathCount: id("path-count"), table: id("path"),
-}, choose);
+}, choose, async (path, more) => (await post(path, { ...answered, device: "", ...more })).json());
 let outcome = null;
+/** What `outcome` answers. */
+let answered = null;
 let fresh = true;
 
 // What is asked.
@@ -72,6 +74,8 @@ async function post(path, body, signal) {
 
 let busy = false;
 let again = false;
+let stripTimer = 0;
+let stripAsked = null;
 
 /** Asks for the state that the controls show. */
 async function run() {
@@ -82,6 +86,7 @@ async function run() {
     const asked = state();
     try {
       const answer = await (await post("/run", { ...asked, safety: true })).json();
+      answered = asked;
       show(answer);
     } catch (problem) {
       failed(problem);
@@ -89,6 +94,8 @@ async function run() {
     remember(asked);
   } while (again);
   busy = false;
+  clearTimeout(stripTimer);
+  stripTimer = setTimeout(strip, 350);
   document.body.dataset.settled = String(Number(document.body.dataset.settled ?? 0) + 1);
 }
 
@@ -96,7 +103,8 @@ let timer = 0;
 function changed(wait = 0) {
   clearTimeout(timer);
   timer = setTimeout(run, wait);
-  stripLater();
+  clearTimeout(stripTimer);
+  stripAsked?.abort();
 }
 
 // What is answered.
@@ -205,27 +213,32 @@ function scaleSlider() {
 id("slider").addEventListener("input", () => { id("radius").value = short(Number(id("slider").value)); changed(); });
 id("radius").addEventListener("input", () => { scaleSlider(); changed(150); });
 
-let stripTimer = 0;
-let stripAsked = null;
-function stripLater() {
-  clearTimeout(stripTimer);
-  stripAsked?.abort();
-  stripTimer = setTimeout(strip, 350);
+/** How the program ends with radii that part an interval evenly. */
+async function tryRadii(from, to) {
+  const radii = Array.from({ length: TRIED }, (_, index) => short(from + (index + 1) * (to - from) / TRIED));
+  return (await post("/radii", { ...state(), device: "", radii }, stripAsked.signal)).json();
 }
 
-/** Tries radii all along the slider, and shows where there is an alarm. */
+/** Tries radii all along the slider, and shows where there is an alarm; then once more where the first one begins. */
 async function strip() {
   const [slider, place, words] = [id("slider"), id("strip"), id("strip-text")];
   const most = Number(slider.max);
-  const radii = Array.from({ length: TRIED }, (_, index) => short((index + 1) * most / TRIED));
-  let tried = [];
   stripAsked = new AbortController();
-  if (!slider.disabled) {
-    try {
-      tried = await (await post("/radii", { ...state(), device: "", radii }, stripAsked.signal)).json();
-    } catch (problem) {
-      if (problem.name === "AbortError") return;
+  let [tried, first, text] = [[], -1, ""];
+  try {
+    const few = outcome !== null && !outcome.refused && outcome.blocks.length * TRIED <= rules.most_blocks;
+    if (few && !slider.disabled) tried = await tryRadii(0, most);
+    first = tried.findIndex(({ alarm }) => alarm);
+    if (tried.length > 0 && first < 0) text = `No alarm up to ${short(most)} mm.`;
+    if (first >= 0) {
+      const before = first > 0 ? Number(tried[first - 1].radius) : 0;
+      const nearer = await tryRadii(before, Number(tried[first].radius));
+      const at = nearer.findIndex(({ alarm }) => alarm);
+      const below = at > 0 ? nearer[at - 1].radius : short(before);
+      text = `${nearer[at].alarm}, line ${nearer[at].line}: begins between ${below} and ${nearer[at].radius} mm.`;
     }
+  } catch (problem) {
+    if (problem.name === "AbortError") return;
   }
   place.replaceChildren(...tried.flatMap(({ alarm }, index) => {
     if (!alarm) return [];
@@ -234,12 +247,7 @@ async function strip() {
     bar.style.width = 100 / TRIED + "%";
     return [bar];
   }));
-  const first = tried.findIndex(({ alarm }) => alarm);
-  if (tried.length === 0) words.textContent = "";
-  else if (first < 0) words.textContent = `No alarm up to ${short(most)} mm.`;
-  else if (first === 0) words.textContent = `${tried[0].alarm} already at ${tried[0].radius} mm.`;
-  else words.textContent = `${tried[first].alarm} begins between ${tried[first - 1].radius} and ${tried[first].radius} mm.`;
-  document.body.dataset.strip = String(Number(document.body.dataset.strip ?? 0) + 1);
+  words.textContent = text;
 }
 
 // Links, files.
