@@ -4,6 +4,8 @@ use std::io::Write;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use serde_json::json;
+
 use crate::server::{Server, answer, request};
 
 #[test]
@@ -178,22 +180,21 @@ fn a_hundred_clients_at_once_are_all_answered() {
 #[test]
 fn work_that_nobody_waits_for_is_given_up_and_work_beyond_its_time_is_told() {
     let server = Server::start(&["--time-limit", "1"]);
-    // Exact closed forms of ten thousand corners, none of them rational, take far longer than a second.
-    let program: String =
-        (0..9_990).map(|number| format!("X{}.37 Y{}.{:03}\n", number * 3, number % 11, number % 997)).collect();
-    let program = format!("G41 D1 G01 X0 Y-9\n{program}");
-    let answer = server.post("/path", request(&program).as_bytes());
+    // Exact closed forms of ten thousand corners of arcs whose centres are roots take far longer than a second.
+    let arc = |number: usize| format!("G02 X{}.1 Y0.{:03} R50.3\n", number * 3, number * 370 % 997);
+    let program = format!("G41 D1 G01 X0 Y0\n{}", (1..9_990).map(arc).collect::<String>());
+    let request = json!({ "program": program, "profile": "seed-mill", "offset": 1, "radius": "0.25" }).to_string();
+    let answer = server.post("/path", request.as_bytes());
     assert_eq!(answer.status, 503, "{}", &answer.body[..answer.body.len().min(300)]);
     assert!(answer.error().contains("1 s at most"), "{}", answer.error());
     // Clients that leave free their workers.
     for _ in 0..20 {
         let mut stream = server.connect();
-        let body = request(&program);
-        stream.write_all((server.head("/path", body.len()) + &body).as_bytes()).unwrap();
+        stream.write_all((server.head("/path", request.len()) + &request).as_bytes()).unwrap();
         drop(stream);
     }
     let begun = Instant::now();
-    while server.post("/run", request("G01 X1").as_bytes()).status != 200 {
+    while server.post("/run", crate::server::request("G01 X1").as_bytes()).status != 200 {
         assert!(begun.elapsed() < Duration::from_secs(30));
     }
     server.goes_on();

@@ -254,9 +254,9 @@ fn the_page_fits_a_phone_and_is_reached_by_keys() {
         assert_eq!(ground == "rgb(255, 255, 255)", !dark, "{ground}");
     }
     // The trial can fail.
-    browser.value("document.getElementById('save').style.width = '900px'");
+    browser.value("document.getElementById('save').style.minWidth = '900px'");
     assert_ne!(browser.value(FLAWS), json!([]));
-    browser.value("document.getElementById('save').style.width = ''");
+    browser.value("document.getElementById('save').style.minWidth = ''");
 
     // From the start of the page the tabulator key reaches the picture; there, keys zoom, and choose a block.
     browser.window(1280, 900, false);
