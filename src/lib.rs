@@ -18,3 +18,4 @@ pub mod safety;
 pub mod tip;
 pub mod vectors;
 pub mod verify;
+pub mod workbench;

@@ -12,6 +12,7 @@ mod mitre;
 mod model;
 mod peer;
 mod table;
+mod workbench;
 
 use std::sync::LazyLock;
 
@@ -47,6 +48,7 @@ fn main() {
     });
     measure_model(&star, &scallops, rounds, &mut rows);
     measure_judged(rounds, &mut rows);
+    measure_workbench(&star, rounds, &mut rows);
     measure_growth(&star, rounds, &mut rows);
     table::print(&rows);
 }
@@ -154,6 +156,20 @@ fn measure_judged(rounds: usize, rows: &mut Vec<Row>) {
             ratio: String::new(),
         });
     }
+}
+
+fn measure_workbench(star: &Contour, rounds: usize, rows: &mut Vec<Row>) {
+    const BLOCKS: usize = 1_000;
+    let request = workbench::request(star, BLOCKS);
+    let [answer] = race([Contestant::new(1, || workbench::answer(&request))], rounds.min(11));
+    rows.push(Row {
+        what: "workbench, a program of 1,000 blocks, model and safety verdict included",
+        goal: "≤ 100 ms".into(),
+        measured: nanoseconds(answer),
+        met: Some(answer <= 100e6),
+        beside: String::new(),
+        ratio: format!("{} a block", nanoseconds(answer / BLOCKS as f64)),
+    });
 }
 
 /// The cost of a block as the program grows: the contour is run round and round.

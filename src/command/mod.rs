@@ -1,6 +1,7 @@
 //! The command line: one file for each subcommand.
 
 mod alarm;
+mod answer;
 mod certificate;
 mod certify;
 mod check;
@@ -53,6 +54,7 @@ Examples:
   radcomp replay report.json
   radcomp compare before.json after.json
   radcomp certificate report.json --make-key key.pem --output certificate.json
+  radcomp serve
   radcomp profiles yasnac-lx
   radcomp clause TRC-CORNER-08
 
@@ -72,6 +74,7 @@ enum Command {
     Gen(r#gen::Gen),
     Check(check::Check),
     Serve(serve::Serve),
+    Answer(answer::Answer),
     VerifyWitness(verify_witness::VerifyWitness),
     Replay(replay::Replay),
     Compare(compare::Compare),
@@ -96,6 +99,7 @@ pub fn main() -> ExitCode {
         Command::Gen(command) => command.execute(),
         Command::Check(command) => command.execute(),
         Command::Serve(command) => command.execute(),
+        Command::Answer(command) => command.execute(),
         Command::VerifyWitness(command) => command.execute(),
         Command::Replay(command) => command.execute(),
         Command::Compare(command) => command.execute(),

@@ -1,45 +1,50 @@
 //! `radcomp serve`.
 
-use std::io::{self, BufReader};
+use std::io::Write;
+use std::time::Duration;
 
 use clap::Args;
-use radcomp::device::library::Library;
-use radcomp::device::pipe::Limits;
-use radcomp::device::{DeviceName, wire};
-use radcomp_spec::profile::Profile;
+use radcomp::workbench::{Limits, MOST_BLOCKS, Server};
 
 use super::failure::{Failure, Verdict};
-use super::{device, options};
+use super::terminal;
 
-/// Answer the pipe protocol on standard input and output with a device, as a model for adapters
+/// Open the workbench: a page that runs, draws and explains a program as it is typed
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Example:
-  radcomp gen --profile seed-mill | radcomp serve builtin | radcomp check --profile seed-mill")]
-pub struct Serve {
-    /// The device
-    #[arg(value_name = "DEVICE", default_value = "builtin")]
-    device: String,
+#[command(after_help = format!("\
+The address of the page is printed. The page loads nothing from elsewhere and sends
+nothing elsewhere; a link that it makes carries the program behind its #, which
+browsers keep to themselves. A program has at most {MOST_BLOCKS} blocks there.
 
-    /// The control that the device is opened for; each request brings its own parameters
-    #[arg(long, short, value_name = "NAME|FILE.toml", default_value = "seed-mill")]
-    profile: String,
+Whoever reaches the address may use the workbench: it has no password.
+
+Examples:
+  radcomp serve
+  radcomp serve --listen 127.0.0.1:0"))]
+pub struct Serve {
+    /// Where to listen; port 0 is a free one
+    #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:4044")]
+    listen: String,
+
+    /// How long a request may take to come, and to be computed
+    #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..=3600))]
+    time_limit: u64,
 }
 
 impl Serve {
-    /// Answers until the input ends.
+    /// Serves until Ctrl-C.
     pub fn execute(&self) -> Result<Verdict, Failure> {
-        let profile: Profile = options::profile(&self.profile)?;
-        let mut device = match device::named(&self.device)? {
-            // This process is the one that a library may take down with it.
-            DeviceName::Library(file) => Box::new(Library::load(&file).map_err(Failure::Input)?),
-            name => name.open(&profile, Limits::default()),
-        };
-        let input = BufReader::with_capacity(1 << 16, io::stdin());
-        match wire::serve(&mut *device, input, io::stdout().lock()) {
-            Ok(()) => Ok(Verdict::Green),
-            Err(error) if error.kind() == io::ErrorKind::InvalidData => Err(Failure::Input(error.to_string())),
-            Err(error) => Err(Failure::Output(error)),
-        }
+        let time = Duration::from_secs(self.time_limit);
+        let default = Limits::default();
+        let connection = default.connection.max(4 * time);
+        let limits = Limits { patience: time, computing: time, connection, ..default };
+        let refused =
+            |error| Failure::Input(format!("{} cannot be listened at: {error}; --listen takes another", self.listen));
+        let server = Server::bind(&self.listen, limits).map_err(refused)?;
+        let mut out = terminal::output();
+        writeln!(out, "the workbench is at http://{}/ until Ctrl-C", server.address()?)?;
+        out.flush()?;
+        server.run().map_err(|error| Failure::Input(format!("the workbench cannot be served: {error}")))?;
+        Ok(Verdict::Green)
     }
 }

@@ -1,7 +1,7 @@
 //! The device `lib:FILE`: a shared library that exports `radcomp_device` of `radcomp.h`.
 //!
-//! A library that crashes takes its process with it, so it runs in one of its own: this program, which serves the library
-//! over the pipe protocol.
+//! A library that crashes takes its process with it, so it runs in one of its own: this program, which answers for
+//! the library over the pipe protocol.
 #![expect(unsafe_code, reason = "the C boundary")]
 
 use std::ffi::{CString, OsString};
@@ -20,13 +20,13 @@ use super::pipe::{Limits, Pipe};
 use super::{Answer, Device, DeviceFault, round};
 use crate::report::ParametersRecord;
 
-/// A library in a process of its own, which `radcomp`, this program, serves.
+/// A library in a process of its own, which `radcomp`, this program, answers for.
 pub fn hosted(radcomp: PathBuf, file: &Path, control: &Profile, limits: Limits) -> Pipe {
     // A name without a folder would be looked for where the system has its libraries.
     let mut device = OsString::from("lib:");
     device.push(std::path::absolute(file).unwrap_or_else(|_| file.to_owned()));
     let name = format!("lib:{}", file.display());
-    Pipe::new(name, vec![radcomp.into_os_string(), "serve".into(), device], control, limits)
+    Pipe::new(name, vec![radcomp.into_os_string(), "answer".into(), device], control, limits)
 }
 
 /// A library in this process.

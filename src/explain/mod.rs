@@ -6,6 +6,8 @@
 mod axes;
 mod coordinate;
 mod decision;
+mod event;
+mod explanation;
 mod programmed;
 mod section;
 mod sentence;
@@ -14,6 +16,7 @@ mod teller;
 pub use axes::Axes;
 pub use coordinate::{Coordinate, trimmed};
 pub use decision::{Corner, in_words};
+pub use event::{event, number};
 pub use programmed::{Programmed, ProgrammedMove, Shape};
 pub use section::Source;
 pub use sentence::{first_sentence, wrapped};

@@ -1,15 +1,14 @@
-//! What there is to tell of one block, and how it is written.
-
-use std::fmt::Write;
+//! What is known of one block, and what there is to tell of it.
 
 use radcomp_model::Decision;
 use radcomp_model::number::Real;
 use radcomp_spec::parameters::OuterCorner;
-use radcomp_spec::{Advisory, AlarmKind, Clause, Compensation, Direction, Segment, Side, Step, clause};
+use radcomp_spec::{Advisory, AlarmKind, Clause, Compensation, Direction, Segment, Side, Step};
 use rug::Rational;
 
+use super::explanation::{Explanation, Row};
 use super::programmed::{ProgrammedMove, Shape};
-use super::{Axes, Coordinate, Corner, first_sentence, in_words, wrapped};
+use super::{Axes, Coordinate, Corner, in_words};
 
 /// Where a block stands in its file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -43,51 +42,34 @@ pub(super) struct Section {
     pub(super) alarm: Option<AlarmKind>,
 }
 
-/// Columns of the text.
-const WIDTH: usize = 100;
-/// Before what is told of a block.
-const INDENT: &str = "               ";
-
 impl Section {
-    /// The text of the block; closed forms stand where so many digits do not tell all.
-    pub(super) fn text(&self, digits: usize, bold: bool) -> String {
-        let mut page = Page { text: String::new(), digits };
-        let (on, off) = if bold { ("\u{1b}[1m", "\u{1b}[0m") } else { ("", "") };
-        page.text.push_str(&format!("{on}line {}{off} | {on}{}{off}\n", self.source.line, self.source.text.trim()));
-        page.row("programmed", &self.program(digits));
-        for code in self.codes() {
-            page.row("code", &code);
-        }
-        for check in &self.checks {
-            page.decision("check", "", check, Corner::default());
-        }
+    /// What there is to tell; closed forms stand where so many digits do not tell all.
+    pub(super) fn explanation(&self, digits: usize) -> Explanation {
+        let mut rows = vec![Row::plain("programmed", self.program(digits))];
+        rows.extend(self.codes().into_iter().map(|code| Row::plain("code", code)));
+        rows.extend(self.checks.iter().filter_map(|check| decision("check", "", check, Corner::default(), digits)));
         let mut told = 0;
-        for (line, corner, decision) in &self.corner {
+        for (line, corner, of) in &self.corner {
             let place = if told == *line { String::new() } else { format!("with line {line}: ") };
-            told = if page.decision("corner", &place, decision, *corner) { *line } else { told };
-        }
-        for step in &self.steps {
-            let (name, words, point) = self.step(step, digits);
-            page.row(name, &words);
-            if let Some(forms) = point.and_then(|point| self.axes.closed_forms(point, digits)) {
-                page.row("", &forms);
+            if let Some(row) = decision("corner", &place, of, *corner, digits) {
+                told = *line;
+                rows.push(row);
             }
         }
+        rows.extend(self.steps.iter().map(|step| self.step(step, digits)));
         if self.steps.is_empty() && self.alarm.is_none() {
-            page.row("centre path", "not settled: the program stops before");
+            rows.push(Row::plain("centre path", "not settled: the program stops before".to_owned()));
         }
         for advisory in &self.advisories {
             let amount = advisory.amount.short(digits);
-            page.row("WARNING", &format!("{}: {}: {amount} mm", advisory.kind.id(), advisory.kind.text()));
+            rows.push(Row::plain("WARNING", format!("{}: {}: {amount} mm", advisory.kind.id(), advisory.kind.text())));
         }
         if let Some(kind) = self.alarm {
-            page.row("ALARM", &format!("{}: {}; the tool does not enter this block", kind.id(), kind.text()));
+            let words = format!("{}: {}; the tool does not enter this block", kind.id(), kind.text());
+            rows.push(Row::plain("ALARM", words));
         }
-        for clause in self.clauses() {
-            page.clause(clause);
-        }
-        page.text.push('\n');
-        page.text
+        let Source { line, sequence, text } = self.source.clone();
+        Explanation { block: self.index, line, n: sequence, text, rows, clauses: self.clauses() }
     }
 
     fn program(&self, digits: usize) -> String {
@@ -132,7 +114,7 @@ impl Section {
         codes
     }
 
-    fn step<'s>(&self, step: &'s Step<Real>, digits: usize) -> (&'static str, String, Option<&'s [Real; 2]>) {
+    fn step(&self, step: &Step<Real>, digits: usize) -> Row {
         let name = if step.main || matches!(step.segment, Segment::Hold) { "centre path" } else { "corner move" };
         let rapid = if step.rapid { "rapid, " } else { "" };
         let (words, point) = match &step.segment {
@@ -144,7 +126,8 @@ impl Section {
                 (format!("{} {whole} to {end_words} about {centre}", sense(*direction)), Some(end))
             }
         };
-        (name, format!("{rapid}{words} [{}]", step.clause), point)
+        let exact = point.and_then(|point| self.axes.closed_forms(point, digits));
+        Row { name, words: format!("{rapid}{words}"), margin: None, clause: Some(step.clause), exact }
     }
 
     /// The clauses of the block, each once: of its path, its warnings, its alarm.
@@ -168,33 +151,11 @@ fn sense(direction: Direction) -> &'static str {
     }
 }
 
-/// A block's text while it is written.
-struct Page {
-    text: String,
-    digits: usize,
-}
-
-impl Page {
-    fn row(&mut self, name: &str, words: &str) {
-        let set = wrapped(words, INDENT, WIDTH);
-        let place = INDENT.len().min(set.len());
-        // Writing to a string cannot fail.
-        let _ = writeln!(self.text, "  {name:<width$}{}", &set[place..], width = INDENT.len() - 2);
-    }
-
-    /// Whether there was anything to tell. The words have the margin's sign.
-    fn decision(&mut self, name: &str, place: &str, decision: &Decision, corner: Corner) -> bool {
-        let Some(words) = in_words(decision, corner) else { return false };
-        let margin = decision.margin.abs();
-        let form = margin.closed(self.digits).map_or(String::new(), |form| format!(" = {form}"));
-        let margin = margin.short(self.digits);
-        self.row(name, &format!("{place}{words}; margin {margin} mm{form} [{}]", decision.clause()));
-        true
-    }
-
-    fn clause(&mut self, of: Clause) {
-        let title = clause::ALL.iter().find(|(known, _)| *known == of).map_or("", |(_, title)| title);
-        let _ = writeln!(self.text, "  [{of}] {title}");
-        let _ = writeln!(self.text, "{}", wrapped(&first_sentence(of), "      ", WIDTH));
-    }
+/// None if there is nothing to tell. The words have the margin's sign.
+fn decision(name: &'static str, place: &str, of: &Decision, corner: Corner, digits: usize) -> Option<Row> {
+    let words = in_words(of, corner)?;
+    let margin = of.margin.abs();
+    let (short, form) = (margin.short(digits), margin.closed(digits));
+    let clause = Some(of.clause());
+    Some(Row { name, words: format!("{place}{words}"), margin: Some((short, form)), clause, exact: None })
 }

@@ -22,6 +22,15 @@ pub enum Choice {
     Sequence(String),
     /// The one in this line.
     Line(u32),
+    /// Those in these lines.
+    Lines(Vec<u32>),
+}
+
+/// How a block is written.
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    Text { bold: bool },
+    Json,
 }
 
 /// Writes what happens in each block. It holds the blocks that are not settled yet, no more.
@@ -33,7 +42,7 @@ pub struct Teller<W> {
     out: W,
     choice: Choice,
     digits: usize,
-    bold: bool,
+    form: Form,
     next: usize,
     program: Programmed,
     side: Option<Side>,
@@ -49,7 +58,7 @@ impl<W: Write> Teller<W> {
             out,
             choice,
             digits,
-            bold,
+            form: Form::Text { bold },
             next: 0,
             program: Programmed::new(),
             side: None,
@@ -57,6 +66,14 @@ impl<W: Write> Teller<W> {
             told: 0,
             result: Ok(()),
         }
+    }
+
+    /// The same teller, but it writes each block as a JSON object on a line of its own: `block`, its index from 0; `line`;
+    /// `n`; `text`; `rows`, each with `name`, `words` and, where there are any, `margin` (`decimal`, `exact`), `clause` and
+    /// `exact`; `clauses`, those whose sentences the text would give.
+    #[must_use]
+    pub fn as_json(self) -> Self {
+        Teller { form: Form::Json, ..self }
     }
 
     /// The next block, which the engine will read after this.
@@ -83,6 +100,11 @@ impl<W: Write> Teller<W> {
             alarm: None,
         });
         self.next += 1;
+    }
+
+    /// What has been written so far.
+    pub fn into_inner(self) -> W {
+        self.out
     }
 
     /// How writing went so far.
@@ -125,7 +147,11 @@ impl<W: Write> Teller<W> {
             let Some(section) = self.open.pop_front() else { return };
             if self.result.is_ok() && self.chosen(&section.source) {
                 self.told += 1;
-                self.result = self.out.write_all(section.text(self.digits, self.bold).as_bytes());
+                let explanation = section.explanation(self.digits);
+                self.result = match self.form {
+                    Form::Text { bold } => self.out.write_all(explanation.text(bold).as_bytes()),
+                    Form::Json => writeln!(self.out, "{}", explanation.json()),
+                };
             }
         }
     }
@@ -134,6 +160,7 @@ impl<W: Write> Teller<W> {
         match &self.choice {
             Choice::All => true,
             Choice::Line(line) => source.line == *line,
+            Choice::Lines(lines) => lines.contains(&source.line),
             Choice::Sequence(wanted) => {
                 let bare = |digits: &str| digits.trim_start_matches('0').to_owned();
                 source.sequence.as_deref().is_some_and(|sequence| bare(sequence) == bare(wanted))

@@ -1,4 +1,4 @@
-"""Devices with planted faults: `radcomp serve` behind a proxy that spoils what it is told or what it answers.
+"""Devices with planted faults: `radcomp answer` behind a proxy that spoils what it is told or what it answers.
 
     python3 faulty.py FAULT PATH-OF-RADCOMP
 """
@@ -14,7 +14,7 @@ FAULT, RADCOMP = sys.argv[1:]
 
 
 def main():
-    sound = subprocess.Popen([RADCOMP, "serve"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    sound = subprocess.Popen([RADCOMP, "answer"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
     for line in sys.stdin:
         request = json.loads(line)
         before = BEFORE.get(FAULT)

@@ -49,7 +49,7 @@ fn requests_and_answers_fit_the_schema() {
             .collect();
         assert!(requests.lines().count() > 400);
         let mut device = Command::new(RADCOMP)
-            .args(["serve", "--profile", name])
+            .args(["answer", "--profile", name])
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()

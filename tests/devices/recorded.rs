@@ -32,7 +32,7 @@ fn command(name: &str, input: &str) -> (String, String, Option<i32>) {
 #[test]
 fn answers_of_the_implementation_pass_and_spoilt_ones_fail() {
     let (requests, _, _) = command("gen", "");
-    let (answers, _, _) = run(&["serve"], &requests);
+    let (answers, _, _) = run(&["answer"], &requests);
     let (verdict, _, status) = command("check", &answers);
     assert!(verdict.ends_with("PASS\n") && status == Some(0), "{verdict}");
 

@@ -6,7 +6,7 @@ use radcomp::explain::Coordinate;
 use radcomp::tip;
 use radcomp_spec::block::Point;
 use radcomp_spec::parameters::Plane;
-use radcomp_spec::{Advisory, Direction, Segment, Step};
+use radcomp_spec::{Advisory, Step};
 use serde_json::{Map, Value, json};
 
 use super::{Ending, Engine, Print};
@@ -64,7 +64,7 @@ impl<'c> Json<'c> {
     }
 
     fn number<N: Coordinate>(&self, value: &N) -> Value {
-        json!({ "decimal": value.short(self.digits), "exact": value.exact() })
+        radcomp::explain::number(value, self.digits)
     }
 }
 
@@ -73,34 +73,12 @@ impl<N: Coordinate> Print<N> for Json<'_> {
         self.before(out)?;
         self.plane = block.axes.plane;
         let mut event = place(block);
-        let kind = match &step.segment {
-            Segment::Hold => "hold",
-            Segment::Line { .. } => "line",
-            Segment::Arc { .. } => "arc",
-        };
-        event["kind"] = json!(kind);
-        event["clause"] = json!(step.clause.id());
-        match &step.segment {
-            Segment::Hold => {}
-            Segment::Line { end } => {
-                event["rapid"] = json!(step.rapid);
-                event["main"] = json!(step.main);
-                event["end"] = self.point(block, end);
-                self.tip(&mut event, step, block);
-            }
-            Segment::Arc { end, centre, direction, full } => {
-                let sense = match direction {
-                    Direction::Clockwise => "cw",
-                    Direction::Counterclockwise => "ccw",
-                };
-                event["main"] = json!(step.main);
-                event["end"] = self.point(block, end);
-                event["centre"] = self.point(block, centre);
-                event["direction"] = json!(sense);
-                event["full"] = json!(full);
-                self.tip(&mut event, step, block);
-            }
+        if let (Value::Object(event), Value::Object(more)) =
+            (&mut event, radcomp::explain::event(step, block.axes, self.digits))
+        {
+            event.extend(more);
         }
+        self.tip(&mut event, step, block);
         write!(out, "{event}")
     }
 

@@ -1,0 +1,13 @@
+(A slot 12 wide: it takes a tool of radius 6, and no larger one)
+N10 G90 G17 G00 X-30 Y-20
+N20 G41 D1 G01 X0 Y0 F300
+N30 Y40
+N40 X24
+N50 Y15
+N60 X36
+N70 Y40
+N80 X60
+N90 Y0
+N100 X-10
+N110 G40 X-30 Y-20
+N120 M30
