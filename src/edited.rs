@@ -126,8 +126,13 @@ fn next_code(code: Option<Compensation>) -> Option<Compensation> {
 
 fn move_end(block: &mut Block<Rational>, axis: usize, by: &Rational) {
     match &mut block.movement {
-        Movement::Line { end } | Movement::Arc { end, .. } | Movement::Dummy { vector: end } => end[axis] += by,
-        Movement::None => {}
+        Movement::Line { end }
+        | Movement::Arc { end, .. }
+        | Movement::HeldVector { end }
+        | Movement::Dummy { vector: end }
+        | Movement::NewVector { vector: end }
+        | Movement::CornerArc { vector: Some(end) } => end[axis] += by,
+        Movement::None | Movement::CornerArc { vector: None } => {}
     }
 }
 

@@ -15,9 +15,10 @@ mod table;
 
 use radcomp_spec::Parameters;
 use radcomp_spec::parameters::{
-    ArcExtension, ArcOnRapid, Cancel, CancelWithoutMovement, CornerOwner, EqualRadius, NegativeRadius, OuterCorner,
-    PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc,
-    StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
+    ArcExtension, ArcOnRapid, Cancel, CancelVector, CancelWithoutMovement, CornerOwner, EqualRadius, NegativeRadius,
+    OffsetChange, OuterCorner, PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange,
+    SideChangeAfterStartUp, SideCodeVector, StartUp, StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement,
+    ZeroLengthMove,
 };
 
 use contour::Contour;
@@ -53,6 +54,9 @@ const PARAMETERS: Parameters = Parameters {
     equal_radius: EqualRadius::Alarm,
     zero_length_move: ZeroLengthMove::NoMovement,
     pending_at_alarm: PendingAtAlarm::Ended,
+    side_code_vector: SideCodeVector::Refused,
+    cancel_vector: CancelVector::Refused,
+    offset_change: OffsetChange::Alarm,
 };
 
 /// A limit that there is not.

@@ -48,6 +48,9 @@ const PARAMETERS: Parameters = Parameters {
     equal_radius: EqualRadius::Alarm,
     zero_length_move: ZeroLengthMove::NoMovement,
     pending_at_alarm: PendingAtAlarm::Ended,
+    side_code_vector: SideCodeVector::Refused,
+    cancel_vector: CancelVector::Refused,
+    offset_change: OffsetChange::Alarm,
 };
 
 const NONE: Ratio = Ratio { numerator: 0, denominator: 1 };

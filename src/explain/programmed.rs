@@ -36,7 +36,7 @@ pub enum Shape {
         /// Start and end are one point.
         full: bool,
     },
-    /// A dummy block with this vector ([TRC-DUMMY-01]).
+    /// A dummy block with this vector ([TRC-DUMMY-01]), or a code that gives a direction ([TRC-VEC-01]).
     Dummy(Point<f64>),
 }
 
@@ -50,12 +50,14 @@ impl Programmed {
     pub fn next(&mut self, block: &Block<Rational>) -> Option<ProgrammedMove> {
         let start = doubles(&self.exact);
         let (end, shape) = match &block.movement {
-            Movement::None => return None,
-            Movement::Dummy { vector } => {
+            Movement::None | Movement::CornerArc { vector: None } => return None,
+            Movement::Dummy { vector }
+            | Movement::NewVector { vector }
+            | Movement::CornerArc { vector: Some(vector) } => {
                 return Some(ProgrammedMove { start, end: start, shape: Shape::Dummy(doubles(vector)) });
             }
-            Movement::Line { end } if *end == self.exact => return None,
-            Movement::Line { end } => (end, Shape::Line),
+            Movement::Line { end } | Movement::HeldVector { end } if *end == self.exact => return None,
+            Movement::Line { end } | Movement::HeldVector { end } => (end, Shape::Line),
             Movement::Arc { end, centre, direction } => {
                 let centre = match centre {
                     Centre::FromStart(vector) => {

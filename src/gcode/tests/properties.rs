@@ -63,6 +63,7 @@ fn block() -> impl Strategy<Value = Block<Rational>> {
             movement,
             rapid,
             compensation,
+            vector: None,
             radius,
             corner,
             stops_look_ahead,
