@@ -36,7 +36,10 @@ static const char PROFILE[] =
     "negative-radius = alarm\n"
     "equal-radius = alarm\n"
     "zero-length-move = no-movement\n"
-    "pending-at-alarm = ended\n";
+    "pending-at-alarm = ended\n"
+    "side-code-vector = refused\n"
+    "cancel-vector = refused\n"
+    "offset-change = alarm\n";
 
 /* A tool of radius 5 mm runs left of a contour with an inner and an outer corner and an arc. */
 static const radcomp_block PROGRAM[] = {

@@ -97,6 +97,10 @@ impl Engine {
                 let form = form_dummy(block, *vector, &mut self.state);
                 self.stay(block, kind, form, sink)
             }
+            // Not implemented yet: refused wherever they stand. [TRC-VEC-01]
+            Movement::HeldVector { .. } | Movement::NewVector { .. } | Movement::CornerArc { .. } => {
+                self.stay(block, Kind::Still, Err(AlarmKind::VectorCodeOutsideMode), sink)
+            }
         }
     }
 

@@ -56,6 +56,7 @@ fn block() -> impl Strategy<Value = Block<f64>> {
             movement,
             rapid,
             compensation,
+            vector: None,
             radius,
             corner,
             stops_look_ahead,

@@ -112,6 +112,14 @@ impl Element {
 }
 
 impl Arm {
+    /// An end of an imaginary line through a point, along a vector; none if that is zero.
+    pub(crate) fn imaginary(point: &Vector, along: &Vector) -> Option<Self> {
+        if along.is_zero() {
+            return None;
+        }
+        Some(Arm { point: point.clone(), tangent: along.clone(), length: along.length(), circle: None })
+    }
+
     /// `r / length`: what turns the tangent into a vector as long as the tool radius.
     fn radius_per_length(&self, radius: &Real) -> Real {
         // An arm is as long as a line that moves or an arc whose centre is neither of its ends.

@@ -106,6 +106,9 @@ pub fn plain() -> Parameters {
         equal_radius: EqualRadius::Alarm,
         zero_length_move: ZeroLengthMove::NoMovement,
         pending_at_alarm: PendingAtAlarm::Ended,
+        side_code_vector: SideCodeVector::Refused,
+        cancel_vector: CancelVector::Refused,
+        offset_change: OffsetChange::Alarm,
     }
 }
 
@@ -138,6 +141,7 @@ pub fn block(choice: &mut impl Choice, kinds: u8) -> Block<f64> {
         movement: movement(choice, kinds),
         rapid: choice.flag(),
         compensation: choice.of(&[None, Some(left), Some(right), Some(Compensation::Off)]),
+        vector: None,
         radius: if choice.flag() { Some(choice.number()) } else { None },
         corner: choice.of(&[
             None,

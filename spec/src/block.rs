@@ -14,6 +14,9 @@ pub struct Block<N> {
     pub rapid: bool,
     /// A compensation code in this block (G40 to G44 after the activation table, [TRC-PLANE-05]).
     pub compensation: Option<Compensation>,
+    /// The vector that I, J, K words give beside a compensation code, incremental ([TRC-START-10], [TRC-START-11],
+    /// [TRC-VEC-06], [TRC-CANCEL-08]); not in an arc, whose centre words they are.
+    pub vector: Option<Point<N>>,
     /// The radius, in millimetres, that a D or T word of this block puts in force.
     pub radius: Option<N>,
     /// M96, M97, G450 or G451 in this block ([TRC-CORNER-11]).
@@ -37,6 +40,7 @@ impl<N> Block<N> {
             movement,
             rapid: false,
             compensation: None,
+            vector: None,
             radius: None,
             corner: None,
             stops_look_ahead: false,
@@ -68,6 +72,21 @@ pub enum Movement<N> {
     Dummy {
         /// The incremental vector that its I, J, K words give.
         vector: Point<N>,
+    },
+    /// G38 with a straight move to an absolute end point: the vector is held ([TRC-VEC-04]).
+    HeldVector {
+        /// End point.
+        end: Point<N>,
+    },
+    /// G38 with I, J, K, and what counts as it: a new vector, without a movement of the program ([TRC-VEC-05]).
+    NewVector {
+        /// The incremental vector at right angles to which it stands; not zero.
+        vector: Point<N>,
+    },
+    /// G39: an arc about the corner, without a movement of the program ([TRC-VEC-02], [TRC-VEC-03]).
+    CornerArc {
+        /// The incremental vector at right angles to which it ends, not zero; none: the next element decides.
+        vector: Option<Point<N>>,
     },
 }
 

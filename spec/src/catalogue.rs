@@ -59,7 +59,7 @@ pub struct Example {
 }
 
 /// The chapter files.
-const FILES: [(&str, &str); 11] = [
+const FILES: [(&str, &str); 12] = [
     ("01-plane.md", include_str!("../clauses/01-plane.md")),
     ("02-mode.md", include_str!("../clauses/02-mode.md")),
     ("03-start-up.md", include_str!("../clauses/03-start-up.md")),
@@ -71,6 +71,7 @@ const FILES: [(&str, &str); 11] = [
     ("09-arc.md", include_str!("../clauses/09-arc.md")),
     ("10-wedge.md", include_str!("../clauses/10-wedge.md")),
     ("11-tip.md", include_str!("../clauses/11-tip.md")),
+    ("12-vectors.md", include_str!("../clauses/12-vectors.md")),
 ];
 
 /// The fence that opens a worked example.

@@ -53,6 +53,7 @@ clauses! {
     TRC_MODE_08 = "TRC-MODE-08": "Codes that are not for offset mode";
     TRC_MODE_09 = "TRC-MODE-09": "Axes outside the plane";
     TRC_MODE_10 = "TRC-MODE-10": "A block that is lost in an alarm";
+    TRC_MODE_11 = "TRC-MODE-11": "Each block its own offset value";
     TRC_START_01 = "TRC-START-01": "The start-up block";
     TRC_START_02 = "TRC-START-02": "Start-up, type A";
     TRC_START_03 = "TRC-START-03": "An arc as start-up block";
@@ -62,6 +63,8 @@ clauses! {
     TRC_START_07 = "TRC-START-07": "Start-up at right angles to the entry move";
     TRC_START_08 = "TRC-START-08": "Start-up without movement, type C";
     TRC_START_09 = "TRC-START-09": "An arc as entry move";
+    TRC_START_10 = "TRC-START-10": "I, J, K at start-up: a vector at right angles";
+    TRC_START_11 = "TRC-START-11": "I, J, K at start-up: an imaginary line";
     TRC_CORNER_01 = "TRC-CORNER-01": "Inner and outer corners";
     TRC_CORNER_02 = "TRC-CORNER-02": "Tangent junction";
     TRC_CORNER_03 = "TRC-CORNER-03": "Inner corner of two lines";
@@ -95,6 +98,7 @@ clauses! {
     TRC_CANCEL_05 = "TRC-CANCEL-05": "Cancel, type B";
     TRC_CANCEL_06 = "TRC-CANCEL-06": "Cancel without movement, type C";
     TRC_CANCEL_07 = "TRC-CANCEL-07": "Offset number 0";
+    TRC_CANCEL_08 = "TRC-CANCEL-08": "G40 with I, J, K";
     TRC_LOOK_01 = "TRC-LOOK-01": "Blocks without movement";
     TRC_LOOK_02 = "TRC-LOOK-02": "Look-ahead over blocks without movement";
     TRC_LOOK_03 = "TRC-LOOK-03": "Look-ahead lost";
@@ -122,4 +126,10 @@ clauses! {
     TRC_TIP_01 = "TRC-TIP-01": "The imaginary tool tip";
     TRC_TIP_02 = "TRC-TIP-02": "Geometry and wear";
     TRC_TIP_03 = "TRC-TIP-03": "The programmed point of a lathe";
+    TRC_VEC_01 = "TRC-VEC-01": "Vector codes";
+    TRC_VEC_02 = "TRC-VEC-02": "A corner arc with a direction";
+    TRC_VEC_03 = "TRC-VEC-03": "A corner arc to the next element";
+    TRC_VEC_04 = "TRC-VEC-04": "A move that holds the vector";
+    TRC_VEC_05 = "TRC-VEC-05": "A new vector";
+    TRC_VEC_06 = "TRC-VEC-06": "I, J, K beside the code of a side in mode";
 }

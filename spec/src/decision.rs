@@ -55,6 +55,7 @@ decisions! {
     NearerContact = "nearer-contact", TRC_SIDE_02, "distance from the corner of the second contact point less that of the first; zero is no contact";
     EntryLength = "entry-length", TRC_START_07, "length of the entry move less the tool radius; zero and negative are an alarm";
     EntryArc = "entry-arc", TRC_START_09, "how far the entry's start lies toward the arc's centre from its new end; zero and negative are an alarm";
+    ImaginaryLineMet = "imaginary-line-met", TRC_CANCEL_08, "by how much the offset curve and that of the imaginary line overlap; negative is no common point";
     SmallestCorner = "smallest-corner", TRC_CORNER_15, "cosine of the turn plus the limit, times the shorter arm; negative is a single vector";
     LimitAngle = "limit-angle", TRC_CORNER_13, "cosine of the turn plus the limit, times the shorter arm; negative is an arc";
     ExtensionsMeet = "extensions-meet", TRC_CORNER_14, "by how much the two extended offset curves overlap; negative is an alarm";

@@ -144,6 +144,8 @@ kinds! {
         ToolChangeInMode = "tool-change-in-mode", TRC_MODE_08, "a tool change while compensation is in force";
         /// [TRC-MODE-08]
         CannedCycleInMode = "canned-cycle-in-mode", TRC_MODE_08, "a canned cycle while compensation is in force";
+        /// [TRC-VEC-01]
+        VectorCodeOutsideMode = "vector-code-outside-mode", TRC_VEC_01, "a code for vectors stands outside compensation";
         /// [TRC-MODE-07]
         OutOfRange = "out-of-range", TRC_MODE_07, "a number in this block is not finite, beyond a million metres, or a negative radius that is not allowed";
     }

@@ -111,6 +111,39 @@ choices! {
         /// They do.
         Ijk = "ijk",
     }
+    /// Whether there are G38 and G39 ([TRC-VEC-01]).
+    VectorCodes {
+        /// They are errors of the program.
+        None = "none",
+        /// G38 holds a vector or gives a new one, G39 makes a corner arc.
+        G38G39 = "g38-g39",
+    }
+    /// I, J, K beside G41 or G42.
+    SideCodeVector {
+        /// The program reader refuses them.
+        Refused = "refused",
+        /// The block ends at right angles to them ([TRC-START-10], [TRC-VEC-06]).
+        RightAngles = "right-angles",
+        /// An imaginary line before the contour, along which they point to the end of the start-up block
+        /// ([TRC-START-11]).
+        ImaginaryLine = "imaginary-line",
+        /// The same line, given by a point of it, seen from that end ([TRC-START-11]).
+        ImaginaryPoint = "imaginary-point",
+    }
+    /// I, J, K beside G40 ([TRC-CANCEL-08]).
+    CancelVector {
+        /// The program reader refuses them.
+        Refused = "refused",
+        /// An imaginary line behind the contour.
+        ImaginaryLine = "imaginary-line",
+    }
+    /// A block that puts a radius of another magnitude in force in mode.
+    OffsetChange {
+        /// An alarm ([TRC-MODE-03]).
+        Alarm = "alarm",
+        /// Each block ends with its own value ([TRC-MODE-11]).
+        EndOfBlock = "end-of-block",
+    }
     /// What start-up and cancel of type B pass besides the corner ([TRC-START-06], [TRC-CANCEL-05]).
     StartUpB {
         /// The normal of the start-up or cancel block too.
@@ -343,4 +376,10 @@ pub struct Parameters {
     pub zero_length_move: ZeroLengthMove,
     /// The block that waits for its end when an alarm is raised.
     pub pending_at_alarm: PendingAtAlarm,
+    /// I, J, K beside G41 or G42.
+    pub side_code_vector: SideCodeVector,
+    /// I, J, K beside G40.
+    pub cancel_vector: CancelVector,
+    /// A change of the offset value in mode.
+    pub offset_change: OffsetChange,
 }

@@ -39,7 +39,7 @@ use crate::clause::Clause;
 use crate::outcome::AlarmKind;
 use crate::parameters::{
     Activation, CornerCodes, Dummy, InMode, Measure, OffsetZero, Parameters, Plane, Ratio, ReadAheadStop, Tip,
-    ToolChange,
+    ToolChange, VectorCodes,
 };
 
 /// A control, as far as compensation can tell it from others.
@@ -94,6 +94,8 @@ pub struct Machine {
     pub read_ahead_stop: ReadAheadStop,
     /// Offset number 0 ([TRC-CANCEL-07]).
     pub offset_zero: OffsetZero,
+    /// Whether there are G38 and G39 ([TRC-VEC-01]).
+    pub vector_codes: VectorCodes,
 }
 
 /// What the control itself calls an alarm.

@@ -47,6 +47,9 @@ pub fn round(block: &Block<Rational>) -> Block<f64> {
             Movement::None => Movement::None,
             Movement::Line { end } => Movement::Line { end: point(end) },
             Movement::Dummy { vector } => Movement::Dummy { vector: point(vector) },
+            Movement::HeldVector { end } => Movement::HeldVector { end: point(end) },
+            Movement::NewVector { vector } => Movement::NewVector { vector: point(vector) },
+            Movement::CornerArc { vector } => Movement::CornerArc { vector: vector.as_ref().map(point) },
             Movement::Arc { end, centre, direction } => Movement::Arc {
                 end: point(end),
                 centre: match centre {
@@ -58,6 +61,7 @@ pub fn round(block: &Block<Rational>) -> Block<f64> {
         },
         rapid: block.rapid,
         compensation: block.compensation,
+        vector: block.vector.as_ref().map(point),
         radius: block.radius.as_ref().map(nearest_f64),
         corner: block.corner,
         stops_look_ahead: block.stops_look_ahead,

@@ -66,6 +66,11 @@ pub fn in_words(decision: &Decision, corner: Corner) -> Option<String> {
         (DecisionKind::EntryLength, Less) => "the entry move is shorter than the tool radius".to_owned(),
         (DecisionKind::EntryArc, Greater) => return None,
         (DecisionKind::EntryArc, _) => "no arc leads from the entry's start to its end".to_owned(),
+        (DecisionKind::ImaginaryLineMet, Greater) => "the offset contour crosses that of the imaginary line".to_owned(),
+        (DecisionKind::ImaginaryLineMet, Equal) => "the offset contour touches that of the imaginary line".to_owned(),
+        (DecisionKind::ImaginaryLineMet, Less) => {
+            "the offset contour does not reach that of the imaginary line".to_owned()
+        }
         (DecisionKind::SmallestCorner, Less) => "it is below the smallest corner: a single vector".to_owned(),
         (DecisionKind::SmallestCorner, _) => "it is not below the smallest corner".to_owned(),
         (DecisionKind::LimitAngle, Less) => "it is below the limit angle: an arc".to_owned(),

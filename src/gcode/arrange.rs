@@ -47,7 +47,6 @@ const REFUSED_CODES: &[(char, u32, u32, &str)] = &[
     ('G', 27, 27, "reference points"),
     ('G', 31, 31, "measuring moves"),
     ('G', 32, 34, "threads"),
-    ('G', 38, 39, "corner vectors given by the program"),
     ('G', 45, 48, "offsets along an axis"),
     ('G', 51, 51, "scaling"),
     ('G', 52, 52, "other coordinate systems"),

@@ -41,6 +41,7 @@ pub(super) enum Group {
     Coolant,
     Gear,
     Corner,
+    Vector,
 }
 
 /// What the reader does with a code.
@@ -58,6 +59,10 @@ pub(super) enum Meaning {
     Compensation(usize),
     /// M96, M97, G450 or G451: which codes they are, and the outer corner.
     Corner(CornerCodes, OuterCorner),
+    /// G38 ([TRC-VEC-01]).
+    HeldVector,
+    /// G39 ([TRC-VEC-01]).
+    CornerArc,
     /// G04.
     Dwell,
     /// G50: with S and without axis words it limits the spindle speed; a lathe sets coordinates with it.
@@ -118,6 +123,8 @@ pub(super) const CODES: &[Code] = &[
     not_in_mode(28, AlarmKind::ReferenceReturnInMode,   "reference points"),
     not_in_mode(29, AlarmKind::ReferenceReturnInMode,   "reference points"),
     not_in_mode(30, AlarmKind::ReferenceReturnInMode,   "reference points"),
+    g(38, Group::Vector,       Meaning::HeldVector,            "a vector held, or a new one"),
+    g(39, Group::Vector,       Meaning::CornerArc,             "corner arc"),
     g(40, Group::Compensation, Meaning::Compensation(0),       "as the profile declares"),
     g(41, Group::Compensation, Meaning::Compensation(1),       "as the profile declares"),
     g(42, Group::Compensation, Meaning::Compensation(2),       "as the profile declares"),

@@ -206,6 +206,8 @@ impl Printer<'_> {
         let straight = if block.rapid { "G00" } else { "G01" };
         let mut to_normal = normal.filter(|normal| **normal != self.normal).cloned();
         match &block.movement {
+            // A vector beside a code stands with a straight move in force, even if the block does not move.
+            Movement::None if block.vector.is_some() => line.code(straight),
             Movement::None => {
                 if block.rapid {
                     // What moves nothing in the plane at rapid traverse moves along the normal, if only to where it is.
@@ -218,6 +220,23 @@ impl Printer<'_> {
             Movement::Line { end } => {
                 line.code(straight);
                 self.point(AXES, end, line)?;
+            }
+            Movement::HeldVector { end } => {
+                line.code(straight);
+                line.code("G38");
+                self.point(AXES, end, line)?;
+            }
+            Movement::NewVector { vector } => {
+                line.code(straight);
+                line.code("G38");
+                self.vector(vector, line)?;
+            }
+            Movement::CornerArc { vector } => {
+                line.code(straight);
+                line.code("G39");
+                if let Some(vector) = vector {
+                    self.vector(vector, line)?;
+                }
             }
             Movement::Arc { .. } if block.rapid => {
                 return Err(PrintError::NoCode { block: line.block(), wanted: "an arc at rapid traverse" });
@@ -241,6 +260,9 @@ impl Printer<'_> {
                 }
             }
         }
+        if let Some(vector) = &block.vector {
+            self.vector(vector, line)?;
+        }
         if let Some(normal) = to_normal {
             self.coordinate(AXES[normal_axis], &normal, line)?;
             self.normal = normal;
@@ -252,6 +274,13 @@ impl Printer<'_> {
         let [a, b, _] = axes_of(self.plane);
         self.coordinate(letters[a], &point[0], line)?;
         self.coordinate(letters[b], &point[1], line)
+    }
+
+    /// I, J, K beside a code: radius values ([TRC-VEC-01], [TRC-START-10], [TRC-CANCEL-08]).
+    fn vector(&self, vector: &[Rational; 2], line: &mut Words) -> Result<(), PrintError> {
+        let [a, b, _] = axes_of(self.plane);
+        line.number(CENTRES[a], &vector[0])?;
+        line.number(CENTRES[b], &vector[1])
     }
 
     /// An axis word: X as the profile measures it.

@@ -3,6 +3,7 @@
 mod compensation;
 mod in_mode;
 mod movement;
+mod vector;
 
 use radcomp_spec::parameters::{CornerCodes, Plane, ReadAheadStop, StartUpWithoutMovement};
 use radcomp_spec::profile::Profile;
@@ -97,7 +98,7 @@ impl<'p> State<'p> {
     /// Executes a block. After a fault the state is of no use.
     pub(super) fn execute(&mut self, command: &Command<'_>) -> Result<Block<Rational>, LineFault> {
         let mut block = Block::empty();
-        let (mut compensation, mut dwell, mut plane) = (None, None, None);
+        let (mut compensation, mut dwell, mut plane, mut vector) = (None, None, None, None);
         for given in command.codes() {
             match given.code.meaning {
                 Meaning::Motion(motion) => self.motion = Some(motion),
@@ -106,6 +107,7 @@ impl<'p> State<'p> {
                 Meaning::Incremental(incremental) => self.incremental = incremental,
                 Meaning::Compensation(index) => compensation = Some((self.activation(index, given)?, given)),
                 Meaning::Corner(codes, corner) => block.corner = Some(self.corner(codes, corner, given)?),
+                Meaning::HeldVector | Meaning::CornerArc => vector = Some(self.vector_code(given)?),
                 Meaning::Dwell => dwell = Some(given),
                 Meaning::Stop => {
                     block.stops_look_ahead = self.profile.machine.read_ahead_stop == ReadAheadStop::BreaksLookAhead;
@@ -124,10 +126,10 @@ impl<'p> State<'p> {
             return Ok(block);
         }
         self.plane = plane.unwrap_or(self.plane);
-        if let Some(dwell) = dwell {
-            check_dwell(command, dwell)?;
-        } else {
-            self.move_axes(command, &mut block)?;
+        match (dwell, vector) {
+            (Some(dwell), None) => check_dwell(command, dwell)?,
+            (_, Some(vector)) => self.vector_block(command, vector, &mut block)?,
+            (None, None) => self.move_axes(command, compensation.map(|(code, _)| code), &mut block)?,
         }
         let shifts = self.profile.parameters.start_up_without_movement == StartUpWithoutMovement::Shift;
         self.started |= shifts && matches!(block.compensation, Some(Compensation::On(_)));

@@ -31,6 +31,11 @@ fn describe(read: &ReadBlock) -> String {
         Movement::Line { end } => format!("line {}", pair(end)),
         Movement::Dummy { vector } if read.block.rapid => format!("dummy {} at rapid", pair(vector)),
         Movement::Dummy { vector } => format!("dummy {}", pair(vector)),
+        Movement::HeldVector { end } if read.block.rapid => format!("held {} at rapid", pair(end)),
+        Movement::HeldVector { end } => format!("held {}", pair(end)),
+        Movement::NewVector { vector } => format!("new vector {}", pair(vector)),
+        Movement::CornerArc { vector: Some(vector) } => format!("corner arc to {}", pair(vector)),
+        Movement::CornerArc { vector: None } => "corner arc".to_owned(),
         Movement::Arc { end, centre, direction } => {
             let sense = if *direction == Direction::Clockwise { "cw" } else { "ccw" };
             let centre = match centre {
@@ -46,6 +51,9 @@ fn describe(read: &ReadBlock) -> String {
         Some(Compensation::On(Side::Left)) => ", left",
         Some(Compensation::On(Side::Right)) => ", right",
     };
+    if let Some(vector) = &read.block.vector {
+        text += &format!(", vector {}", pair(vector));
+    }
     if let Some(radius) = &read.block.radius {
         text += &format!(", tool radius {}", number(radius));
     }

@@ -25,7 +25,7 @@ pub(super) fn decorate(blocks: &mut Vec<Block<Rational>>, dice: &mut Dice, reach
                 blocks.push(still(&position, dice, reach));
             }
         }
-        if let Movement::Line { end } | Movement::Arc { end, .. } = &block.movement {
+        if let Movement::Line { end } | Movement::Arc { end, .. } | Movement::HeldVector { end } = &block.movement {
             position = end.clone();
         }
         blocks.push(block);
@@ -40,25 +40,32 @@ fn still(position: &[Rational; 2], dice: &mut Dice, reach: Reach) -> Block<Ratio
 
 /// The dummy that stands for the next block; now and then a wrong one.
 fn dummy(next: &Block<Rational>, position: &[Rational; 2], dice: &mut Dice) -> Block<Rational> {
-    let mut vector = match &next.movement {
-        Movement::Line { end } => [Rational::from(&end[0] - &position[0]), Rational::from(&end[1] - &position[1])],
-        Movement::Arc { centre: Centre::FromStart([a, b]), direction, .. } => match direction {
-            // [TRC-DUMMY-03]
-            Direction::Counterclockwise => [b.clone(), Rational::from(-a)],
-            Direction::Clockwise => [Rational::from(-b), a.clone()],
-        },
-        _ => [thousandths(1000), thousandths(0)],
-    };
+    let mut vector = toward(next, position);
     if dice.once_in(8) {
         vector = vector.map(|value| -value);
     }
     Block::moving(Movement::Dummy { vector })
 }
 
+/// A vector along a block at its start; for an arc with R, and a block that does not move, any.
+pub(super) fn toward(next: &Block<Rational>, position: &[Rational; 2]) -> [Rational; 2] {
+    match &next.movement {
+        Movement::Line { end } | Movement::HeldVector { end } => {
+            [Rational::from(&end[0] - &position[0]), Rational::from(&end[1] - &position[1])]
+        }
+        Movement::Arc { centre: Centre::FromStart([a, b]), direction, .. } => match direction {
+            // [TRC-DUMMY-03]
+            Direction::Counterclockwise => [b.clone(), Rational::from(-a)],
+            Direction::Clockwise => [Rational::from(-b), a.clone()],
+        },
+        _ => [thousandths(1000), thousandths(0)],
+    }
+}
+
 /// Moves one number of one block by one least increment.
 pub(super) fn nudge(blocks: &mut [Block<Rational>], dice: &mut Dice, by: i64) {
     let moving: Vec<usize> = (0..blocks.len())
-        .filter(|&index| !matches!(blocks[index].movement, Movement::None | Movement::Dummy { .. }))
+        .filter(|&index| matches!(blocks[index].movement, Movement::Line { .. } | Movement::Arc { .. }))
         .collect();
     if moving.is_empty() {
         return;
@@ -71,6 +78,6 @@ pub(super) fn nudge(blocks: &mut [Block<Rational>], dice: &mut Dice, by: i64) {
         Movement::Arc { centre: Centre::FromStart(vector), .. } if of_centre => vector[axis] += thousandths(by),
         Movement::Arc { centre: Centre::Radius(radius), .. } if of_centre => *radius += thousandths(by),
         Movement::Arc { end, .. } => end[axis] += thousandths(by),
-        Movement::None | Movement::Dummy { .. } => {}
+        _ => {}
     }
 }

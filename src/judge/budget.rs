@@ -40,9 +40,11 @@ fn largest(blocks: &[Block<Rational>]) -> f64 {
     let mut see = |value: &Rational| largest = largest.max(nearest_f64(value).abs());
     for block in blocks {
         match &block.movement {
-            Movement::None => {}
-            Movement::Line { end } => end.iter().for_each(&mut see),
-            Movement::Dummy { vector } => vector.iter().for_each(&mut see),
+            Movement::None | Movement::CornerArc { vector: None } => {}
+            Movement::Line { end } | Movement::HeldVector { end } => end.iter().for_each(&mut see),
+            Movement::Dummy { vector }
+            | Movement::NewVector { vector }
+            | Movement::CornerArc { vector: Some(vector) } => vector.iter().for_each(&mut see),
             Movement::Arc { end, centre, .. } => {
                 end.iter().for_each(&mut see);
                 match centre {
@@ -52,6 +54,7 @@ fn largest(blocks: &[Block<Rational>]) -> f64 {
             }
         }
         block.radius.iter().for_each(&mut see);
+        block.vector.iter().flatten().for_each(&mut see);
     }
     largest
 }

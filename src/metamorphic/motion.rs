@@ -74,6 +74,11 @@ impl Motion {
             Movement::None => Movement::None,
             Movement::Line { end } => Movement::Line { end: self.point(end) },
             Movement::Dummy { vector } => Movement::Dummy { vector: self.vector(vector) },
+            Movement::HeldVector { end } => Movement::HeldVector { end: self.point(end) },
+            Movement::NewVector { vector } => Movement::NewVector { vector: self.vector(vector) },
+            Movement::CornerArc { vector } => {
+                Movement::CornerArc { vector: vector.as_ref().map(|vector| self.vector(vector)) }
+            }
             Movement::Arc { end, centre, direction } => Movement::Arc {
                 end: self.point(end),
                 centre: match centre {
@@ -88,7 +93,8 @@ impl Motion {
             code => code,
         });
         let radius = block.radius.as_ref().map(|radius| Rational::from(radius * self.scale));
-        Block { movement, compensation, radius, ..block.clone() }
+        let vector = block.vector.as_ref().map(|vector| self.vector(vector));
+        Block { movement, compensation, vector, radius, ..block.clone() }
     }
 
     /// The parameters with their lengths grown by the scale; none if a rule of theirs looks at the coordinates themselves

@@ -25,7 +25,8 @@ impl Reversal {
         let Some(Compensation::On(side)) = contour[0].compensation else { return None };
         let plain =
             |block: &Block<Rational>| block.compensation.is_none() && block.radius.is_none() && block.corner.is_none();
-        if !contour[1..length - 1].iter().all(plain) || contour[length - 1].radius.is_some() {
+        let with_vector = contour.iter().any(|block| block.vector.is_some());
+        if !contour[1..length - 1].iter().all(plain) || contour[length - 1].radius.is_some() || with_vector {
             return None;
         }
         let radius = blocks[..=first].iter().rev().find_map(|block| block.radius.clone())?;
@@ -44,7 +45,11 @@ impl Reversal {
 fn end(block: &Block<Rational>) -> Option<Point> {
     match &block.movement {
         Movement::Line { end } | Movement::Arc { end, .. } => Some(end.clone()),
-        Movement::None | Movement::Dummy { .. } => None,
+        Movement::None
+        | Movement::Dummy { .. }
+        | Movement::HeldVector { .. }
+        | Movement::NewVector { .. }
+        | Movement::CornerArc { .. } => None,
     }
 }
 
@@ -64,7 +69,11 @@ fn backwards(contour: &[Block<Rational>], points: &[Point]) -> Option<Vec<Block<
                 },
                 direction: direction.reversed(),
             },
-            Movement::None | Movement::Dummy { .. } => return None,
+            Movement::None
+            | Movement::Dummy { .. }
+            | Movement::HeldVector { .. }
+            | Movement::NewVector { .. }
+            | Movement::CornerArc { .. } => return None,
         };
         Some(Block { rapid: block.rapid, ..Block::moving(movement) })
     });

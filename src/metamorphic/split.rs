@@ -23,7 +23,8 @@ pub fn split(parameters: &Parameters, blocks: &[Block<Rational>], exact: &Run) -
         let before = exact.steps.get(index - 1)?;
         let here = step.main && plain.contains(&step.clause) && plain.contains(&before.clause);
         let line = matches!(blocks.get(step.block)?.movement, Movement::Line { .. });
-        (here && line && blocks[step.block].compensation != Some(Compensation::Off)).then_some(step.block)
+        let plainly = blocks[step.block].vector.is_none() && blocks[step.block].radius.is_none();
+        (here && line && plainly && blocks[step.block].compensation != Some(Compensation::Off)).then_some(step.block)
     })?;
     let start = start_of(blocks, index)?;
     let Movement::Line { end } = &blocks[index].movement else { return None };
@@ -38,7 +39,7 @@ pub fn split(parameters: &Parameters, blocks: &[Block<Rational>], exact: &Run) -
 /// Where the program stands before a block.
 fn start_of(blocks: &[Block<Rational>], index: usize) -> Option<[Rational; 2]> {
     blocks[..index].iter().rev().find_map(|block| match &block.movement {
-        Movement::Line { end } | Movement::Arc { end, .. } => Some(end.clone()),
-        Movement::None | Movement::Dummy { .. } => None,
+        Movement::Line { end } | Movement::Arc { end, .. } | Movement::HeldVector { end } => Some(end.clone()),
+        Movement::None | Movement::Dummy { .. } | Movement::NewVector { .. } | Movement::CornerArc { .. } => None,
     })
 }

@@ -84,6 +84,7 @@ fn drop_blocks(
 fn without_codes(block: &Block<Rational>) -> Option<Block<Rational>> {
     let plain = Block {
         compensation: None,
+        vector: None,
         corner: None,
         rapid: false,
         stops_look_ahead: false,
@@ -95,7 +96,9 @@ fn without_codes(block: &Block<Rational>) -> Option<Block<Rational>> {
 
 fn straightened(block: &Block<Rational>) -> Option<Block<Rational>> {
     match &block.movement {
-        Movement::Arc { end, .. } => Some(Block { movement: Movement::Line { end: end.clone() }, ..block.clone() }),
+        Movement::Arc { end, .. } | Movement::HeldVector { end } => {
+            Some(Block { movement: Movement::Line { end: end.clone() }, ..block.clone() })
+        }
         _ => None,
     }
 }
@@ -103,8 +106,8 @@ fn straightened(block: &Block<Rational>) -> Option<Block<Rational>> {
 /// The same program with its last end point of the approach at the origin.
 fn to_origin(blocks: &[Block<Rational>]) -> Vec<Block<Rational>> {
     let origin = blocks.iter().find_map(|block| match &block.movement {
-        Movement::Line { end } | Movement::Arc { end, .. } => Some(end.clone()),
-        Movement::None | Movement::Dummy { .. } => None,
+        Movement::Line { end } | Movement::Arc { end, .. } | Movement::HeldVector { end } => Some(end.clone()),
+        Movement::None | Movement::Dummy { .. } | Movement::NewVector { .. } | Movement::CornerArc { .. } => None,
     });
     let Some(origin) = origin else { return blocks.to_vec() };
     let shift = |end: &[Rational; 2]| [Rational::from(&end[0] - &origin[0]), Rational::from(&end[1] - &origin[1])];
@@ -113,6 +116,7 @@ fn to_origin(blocks: &[Block<Rational>]) -> Vec<Block<Rational>> {
         .map(|block| {
             let movement = match &block.movement {
                 Movement::Line { end } => Movement::Line { end: shift(end) },
+                Movement::HeldVector { end } => Movement::HeldVector { end: shift(end) },
                 Movement::Arc { end, centre, direction } => {
                     Movement::Arc { end: shift(end), centre: centre.clone(), direction: *direction }
                 }
@@ -135,6 +139,9 @@ fn map_numbers(block: &Block<Rational>, map: &impl Fn(&Rational) -> Rational) ->
         Movement::None => Movement::None,
         Movement::Line { end } => Movement::Line { end: point(end) },
         Movement::Dummy { vector } => Movement::Dummy { vector: point(vector) },
+        Movement::HeldVector { end } => Movement::HeldVector { end: point(end) },
+        Movement::NewVector { vector } => Movement::NewVector { vector: point(vector) },
+        Movement::CornerArc { vector } => Movement::CornerArc { vector: vector.as_ref().map(point) },
         Movement::Arc { end, centre, direction } => Movement::Arc {
             end: point(end),
             centre: match centre {
@@ -144,5 +151,6 @@ fn map_numbers(block: &Block<Rational>, map: &impl Fn(&Rational) -> Rational) ->
             direction: *direction,
         },
     };
-    Block { movement, radius: block.radius.as_ref().map(map), ..block.clone() }
+    let vector = block.vector.as_ref().map(point);
+    Block { movement, vector, radius: block.radius.as_ref().map(map), ..block.clone() }
 }

@@ -19,6 +19,9 @@ pub struct BlockRecord {
     /// The compensation code, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub compensation: Option<Id<Compensation>>,
+    /// The vector of I, J, K beside the compensation code, if they stand there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vector: Option<[Exact; 2]>,
     /// The tool radius that the block puts in force, if it does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub radius: Option<Exact>,
@@ -58,6 +61,22 @@ pub enum MovementRecord {
         /// Its vector.
         vector: [Exact; 2],
     },
+    /// A straight move that holds the vector.
+    HeldVector {
+        /// End point.
+        end: [Exact; 2],
+    },
+    /// A new vector.
+    NewVector {
+        /// The vector at right angles to which it stands.
+        vector: [Exact; 2],
+    },
+    /// A corner arc.
+    CornerArc {
+        /// The vector at right angles to which it ends; left out: the next element decides.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        vector: Option<[Exact; 2]>,
+    },
 }
 
 /// How the centre of an arc was programmed.
@@ -72,13 +91,16 @@ pub enum CentreRecord {
 
 impl From<&Block<Rational>> for BlockRecord {
     fn from(block: &Block<Rational>) -> Self {
-        let Block { movement, rapid, compensation, radius, corner, stops_look_ahead, not_in_mode } = block;
+        let Block { movement, rapid, compensation, vector, radius, corner, stops_look_ahead, not_in_mode } = block;
         let point = |[a, b]: &[Rational; 2]| [Exact(a.clone()), Exact(b.clone())];
         BlockRecord {
             movement: match movement {
                 Movement::None => MovementRecord::None,
                 Movement::Line { end } => MovementRecord::Line { end: point(end) },
                 Movement::Dummy { vector } => MovementRecord::Dummy { vector: point(vector) },
+                Movement::HeldVector { end } => MovementRecord::HeldVector { end: point(end) },
+                Movement::NewVector { vector } => MovementRecord::NewVector { vector: point(vector) },
+                Movement::CornerArc { vector } => MovementRecord::CornerArc { vector: vector.as_ref().map(point) },
                 Movement::Arc { end, centre, direction } => MovementRecord::Arc {
                     end: point(end),
                     centre: match centre {
@@ -90,6 +112,7 @@ impl From<&Block<Rational>> for BlockRecord {
             },
             rapid: *rapid,
             compensation: compensation.map(Id),
+            vector: vector.as_ref().map(point),
             radius: radius.clone().map(Exact),
             corner: corner.map(Id),
             stops_look_ahead: *stops_look_ahead,
@@ -100,13 +123,17 @@ impl From<&Block<Rational>> for BlockRecord {
 
 impl From<&BlockRecord> for Block<Rational> {
     fn from(record: &BlockRecord) -> Self {
-        let BlockRecord { movement, rapid, compensation, radius, corner, stops_look_ahead, not_in_mode } = record;
+        let BlockRecord { movement, rapid, compensation, vector, radius, corner, stops_look_ahead, not_in_mode } =
+            record;
         let point = |[a, b]: &[Exact; 2]| [a.0.clone(), b.0.clone()];
         Block {
             movement: match movement {
                 MovementRecord::None => Movement::None,
                 MovementRecord::Line { end } => Movement::Line { end: point(end) },
                 MovementRecord::Dummy { vector } => Movement::Dummy { vector: point(vector) },
+                MovementRecord::HeldVector { end } => Movement::HeldVector { end: point(end) },
+                MovementRecord::NewVector { vector } => Movement::NewVector { vector: point(vector) },
+                MovementRecord::CornerArc { vector } => Movement::CornerArc { vector: vector.as_ref().map(point) },
                 MovementRecord::Arc { end, centre, direction } => Movement::Arc {
                     end: point(end),
                     centre: match centre {
@@ -118,6 +145,7 @@ impl From<&BlockRecord> for Block<Rational> {
             },
             rapid: *rapid,
             compensation: compensation.map(|id| id.0),
+            vector: vector.as_ref().map(point),
             radius: radius.as_ref().map(|radius| radius.0.clone()),
             corner: corner.map(|id| id.0),
             stops_look_ahead: *stops_look_ahead,

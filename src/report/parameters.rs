@@ -2,9 +2,10 @@
 
 use radcomp_spec::Parameters;
 use radcomp_spec::parameters::{
-    ArcExtension, ArcOnRapid, Cancel, CancelWithoutMovement, CornerOwner, EqualRadius, MOST_NON_MOVING, NegativeRadius,
-    OuterCorner, PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp,
-    StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
+    ArcExtension, ArcOnRapid, Cancel, CancelVector, CancelWithoutMovement, CornerOwner, EqualRadius, MOST_NON_MOVING,
+    NegativeRadius, OffsetChange, OuterCorner, PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange,
+    SideChangeAfterStartUp, SideCodeVector, StartUp, StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement,
+    ZeroLengthMove,
 };
 use rug::Rational;
 use serde::de::Error;
@@ -52,6 +53,9 @@ pub struct ParametersRecord {
     pub equal_radius: Id<EqualRadius>,
     pub zero_length_move: Id<ZeroLengthMove>,
     pub pending_at_alarm: Id<PendingAtAlarm>,
+    pub side_code_vector: Id<SideCodeVector>,
+    pub cancel_vector: Id<CancelVector>,
+    pub offset_change: Id<OffsetChange>,
 }
 
 impl From<&Parameters> for ParametersRecord {
@@ -84,6 +88,9 @@ impl From<&Parameters> for ParametersRecord {
             equal_radius,
             zero_length_move,
             pending_at_alarm,
+            side_code_vector,
+            cancel_vector,
+            offset_change,
         } = *parameters;
         ParametersRecord {
             start_up: Id(start_up),
@@ -113,6 +120,9 @@ impl From<&Parameters> for ParametersRecord {
             equal_radius: Id(equal_radius),
             zero_length_move: Id(zero_length_move),
             pending_at_alarm: Id(pending_at_alarm),
+            side_code_vector: Id(side_code_vector),
+            cancel_vector: Id(cancel_vector),
+            offset_change: Id(offset_change),
         }
     }
 }
@@ -147,6 +157,9 @@ impl From<&ParametersRecord> for Parameters {
             equal_radius: record.equal_radius.0,
             zero_length_move: record.zero_length_move.0,
             pending_at_alarm: record.pending_at_alarm.0,
+            side_code_vector: record.side_code_vector.0,
+            cancel_vector: record.cancel_vector.0,
+            offset_change: record.offset_change.0,
         }
     }
 }

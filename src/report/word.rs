@@ -4,9 +4,9 @@ use std::cmp::Ordering;
 
 use radcomp_spec::clause::{self, Clause};
 use radcomp_spec::parameters::{
-    ArcExtension, ArcOnRapid, Cancel, CancelWithoutMovement, CornerOwner, EqualRadius, NegativeRadius, OuterCorner,
-    PendingAtAlarm, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc,
-    StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
+    ArcExtension, ArcOnRapid, Cancel, CancelVector, CancelWithoutMovement, CornerOwner, EqualRadius, NegativeRadius,
+    OffsetChange, OuterCorner, PendingAtAlarm, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp,
+    SideCodeVector, StartUp, StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
 };
 use radcomp_spec::{AlarmKind, Compensation, DecisionKind, Direction, Side};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -72,6 +72,9 @@ choices! {
     ArcOnRapid = "arc-on-rapid";
     SameCode = "same-code";
     PendingAtAlarm = "pending-at-alarm";
+    SideCodeVector = "side-code-vector";
+    CancelVector = "cancel-vector";
+    OffsetChange = "offset-change";
     NegativeRadius = "negative-radius";
     EqualRadius = "equal-radius";
     ZeroLengthMove = "zero-length-move";

@@ -16,7 +16,8 @@ impl Contour {
     /// The compensated elements of a program: the blocks that move after a start-up block and before the cancel block.
     ///
     /// Reading ends at a block that no control runs: an arc that cancels, that does not exist, or whose centre is its start
-    /// or its end, another radius in offset mode, and a code that is not for offset mode. An arc that starts up, which
+    /// or its end, another radius in offset mode, and a code that is not for offset mode. It ends too where the program
+    /// itself gives or holds a vector, which need not stand off from the contour. An arc that starts up, which
     /// some controls run about another centre, is a start-up block like others. A negative radius swaps the sides.
     ///
     /// # Exactness
@@ -75,7 +76,7 @@ struct Exact {
 impl Reading {
     /// Reads a block; none ends the contour.
     fn block(&mut self, index: usize, block: &Block<Rational>) -> Option<()> {
-        if block.not_in_mode.is_some() {
+        if block.not_in_mode.is_some() || gives_vector(block) {
             return None;
         }
         let in_offset = matches!(self.mode, Mode::Offset);
@@ -171,6 +172,13 @@ impl Reading {
             self.stretches.push(open.stretch);
         }
     }
+}
+
+/// Whether a block gives or holds a vector; one that cancels only says where the contour before it ends.
+fn gives_vector(block: &Block<Rational>) -> bool {
+    let by_code =
+        matches!(block.movement, Movement::HeldVector { .. } | Movement::NewVector { .. } | Movement::CornerArc { .. });
+    by_code || (block.vector.is_some() && matches!(block.compensation, Some(Compensation::On(_))))
 }
 
 impl Open {

@@ -40,9 +40,11 @@ pub(super) fn largest(program: &[Block<Rational>]) -> Rational {
 fn numbers(block: &Block<Rational>) -> Vec<&Rational> {
     let mut numbers: Vec<&Rational> = Vec::new();
     match &block.movement {
-        Movement::None => {}
-        Movement::Line { end } => numbers.extend(end),
-        Movement::Dummy { vector } => numbers.extend(vector),
+        Movement::None | Movement::CornerArc { vector: None } => {}
+        Movement::Line { end } | Movement::HeldVector { end } => numbers.extend(end),
+        Movement::Dummy { vector } | Movement::NewVector { vector } | Movement::CornerArc { vector: Some(vector) } => {
+            numbers.extend(vector)
+        }
         Movement::Arc { end, centre, .. } => {
             numbers.extend(end);
             match centre {
@@ -52,6 +54,7 @@ fn numbers(block: &Block<Rational>) -> Vec<&Rational> {
         }
     }
     numbers.extend(&block.radius);
+    numbers.extend(block.vector.iter().flatten());
     numbers
 }
 
@@ -63,6 +66,9 @@ fn structure(block: &Block<Rational>) -> Block<Rational> {
             Movement::None => Movement::None,
             Movement::Line { .. } => Movement::Line { end: zero() },
             Movement::Dummy { .. } => Movement::Dummy { vector: zero() },
+            Movement::HeldVector { .. } => Movement::HeldVector { end: zero() },
+            Movement::NewVector { .. } => Movement::NewVector { vector: zero() },
+            Movement::CornerArc { vector } => Movement::CornerArc { vector: vector.as_ref().map(|_| zero()) },
             Movement::Arc { centre, direction, .. } => Movement::Arc {
                 end: zero(),
                 centre: match centre {
@@ -74,6 +80,7 @@ fn structure(block: &Block<Rational>) -> Block<Rational> {
         },
         rapid: block.rapid,
         compensation: block.compensation,
+        vector: block.vector.as_ref().map(|_| zero()),
         radius: block.radius.as_ref().map(|_| Rational::new()),
         corner: block.corner,
         stops_look_ahead: block.stops_look_ahead,

@@ -12,9 +12,9 @@ use serde_json::{Value, json};
 use super::drawing::Drawing;
 use super::study::{Patience, Study};
 use super::{Asked, Trouble, overlay};
+use crate::device::Answer;
 use crate::explain::number;
 use crate::gcode::Diagnostic;
-use crate::judge::rounded;
 
 /// Digits after the decimal point of what a warning tells.
 const DIGITS: usize = 6;
@@ -37,7 +37,7 @@ pub fn run(asked: &Asked, patience: &Patience) -> Result<String, Trouble> {
     let stop = exact.alarm.map(|alarm| alarm.block);
     // Of a program that is cut off in the middle of a corner, nothing is said.
     let judged = asked.safety && study.refused.is_none();
-    let safety = judged.then(|| overlay::safety(&study, &rounded(&exact), stop));
+    let safety = judged.then(|| overlay::safety(&study, &Answer::from(&exact).steps, stop));
     patience.check(study.last_line())?;
     let device = overlay::device(asked, &study, &profile, &exact);
     let block = |index: usize| {

@@ -13,6 +13,14 @@ pub const RADCOMP_ARC: u32 = 2;
 pub const RADCOMP_ARC_RADIUS: u32 = 3;
 /// A dummy block: `end` is its vector.
 pub const RADCOMP_DUMMY: u32 = 4;
+/// G38 with a straight move to `end`: the vector is held.
+pub const RADCOMP_HELD_VECTOR: u32 = 5;
+/// G38 with I, J, K: a new vector, at right angles to `end`, which is incremental.
+pub const RADCOMP_NEW_VECTOR: u32 = 6;
+/// G39 with a direction: a corner arc to the vector at right angles to `end`, which is incremental.
+pub const RADCOMP_CORNER_TO_VECTOR: u32 = 7;
+/// G39 alone: a corner arc to the next element.
+pub const RADCOMP_CORNER_TO_NEXT: u32 = 8;
 
 /// G02.
 pub const RADCOMP_CLOCKWISE: u32 = 0;
@@ -38,7 +46,8 @@ pub const RADCOMP_LIMIT_ANGLE: u32 = 3;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct radcomp_block {
-    /// RADCOMP_NONE, RADCOMP_LINE, RADCOMP_ARC, RADCOMP_ARC_RADIUS or RADCOMP_DUMMY.
+    /// RADCOMP_NONE, RADCOMP_LINE, RADCOMP_ARC, RADCOMP_ARC_RADIUS, RADCOMP_DUMMY, RADCOMP_HELD_VECTOR,
+    /// RADCOMP_NEW_VECTOR, RADCOMP_CORNER_TO_VECTOR or RADCOMP_CORNER_TO_NEXT.
     pub movement: u32,
     /// RADCOMP_CLOCKWISE or RADCOMP_COUNTERCLOCKWISE, of an arc.
     pub direction: u32,
@@ -58,6 +67,10 @@ pub struct radcomp_block {
     pub end: [f64; 2],
     /// The centre of an arc.
     pub centre: [f64; 2],
+    /// Not 0: I, J, K stand beside the compensation code, and `vector` is theirs.
+    pub has_vector: u32,
+    /// The incremental vector beside the compensation code.
+    pub vector: [f64; 2],
     /// The alarm of a code that is not for offset mode, such as "tool-change-in-mode", with a zero at its end; empty for
     /// none.
     pub not_in_mode: [core::ffi::c_char; RADCOMP_NAME],
@@ -76,6 +89,8 @@ impl Default for radcomp_block {
             radius: 0.0,
             end: [0.0; 2],
             centre: [0.0; 2],
+            has_vector: 0,
+            vector: [0.0; 2],
             not_in_mode: [0; RADCOMP_NAME],
         }
     }
@@ -95,6 +110,10 @@ impl radcomp_block {
             RADCOMP_ARC => Movement::Arc { end: self.end, centre: Centre::FromStart(self.centre), direction },
             RADCOMP_ARC_RADIUS => Movement::Arc { end: self.end, centre: Centre::Radius(self.centre[0]), direction },
             RADCOMP_DUMMY => Movement::Dummy { vector: self.end },
+            RADCOMP_HELD_VECTOR => Movement::HeldVector { end: self.end },
+            RADCOMP_NEW_VECTOR => Movement::NewVector { vector: self.end },
+            RADCOMP_CORNER_TO_VECTOR => Movement::CornerArc { vector: Some(self.end) },
+            RADCOMP_CORNER_TO_NEXT => Movement::CornerArc { vector: None },
             _ => return None,
         };
         let compensation = match self.compensation {
@@ -112,9 +131,10 @@ impl radcomp_block {
             _ => return None,
         };
         let radius = (self.has_radius != 0).then_some(self.radius);
+        let vector = (self.has_vector != 0).then_some(self.vector);
         let not_in_mode = kind(&self.not_in_mode).ok()?;
         let (rapid, stops_look_ahead) = (self.rapid != 0, self.stops_look_ahead != 0);
-        Some(Block { movement, rapid, compensation, radius, corner, stops_look_ahead, not_in_mode })
+        Some(Block { movement, rapid, compensation, vector, radius, corner, stops_look_ahead, not_in_mode })
     }
 }
 
@@ -138,12 +158,20 @@ impl From<&Block<f64>> for radcomp_block {
             not_in_mode: block.not_in_mode.map_or([0; RADCOMP_NAME], name),
             has_radius: u32::from(block.radius.is_some()),
             radius: block.radius.unwrap_or_default(),
+            has_vector: u32::from(block.vector.is_some()),
+            vector: block.vector.unwrap_or_default(),
             ..radcomp_block::default()
         };
         match &block.movement {
             Movement::None => {}
             Movement::Line { end } => (out.movement, out.end) = (RADCOMP_LINE, *end),
             Movement::Dummy { vector } => (out.movement, out.end) = (RADCOMP_DUMMY, *vector),
+            Movement::HeldVector { end } => (out.movement, out.end) = (RADCOMP_HELD_VECTOR, *end),
+            Movement::NewVector { vector } => (out.movement, out.end) = (RADCOMP_NEW_VECTOR, *vector),
+            Movement::CornerArc { vector: Some(vector) } => {
+                (out.movement, out.end) = (RADCOMP_CORNER_TO_VECTOR, *vector);
+            }
+            Movement::CornerArc { vector: None } => out.movement = RADCOMP_CORNER_TO_NEXT,
             Movement::Arc { end, centre, direction } => {
                 out.end = *end;
                 out.direction = u32::from(*direction == Direction::Counterclockwise);

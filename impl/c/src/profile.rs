@@ -3,13 +3,14 @@
 
 use radcomp_spec::Parameters;
 use radcomp_spec::parameters::{
-    ArcExtension, ArcOnRapid, Cancel, CancelWithoutMovement, CornerOwner, EqualRadius, MOST_NON_MOVING, NegativeRadius,
-    OuterCorner, PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, StartUp,
-    StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
+    ArcExtension, ArcOnRapid, Cancel, CancelVector, CancelWithoutMovement, CornerOwner, EqualRadius, MOST_NON_MOVING,
+    NegativeRadius, OffsetChange, OuterCorner, PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange,
+    SideChangeAfterStartUp, SideCodeVector, StartUp, StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement,
+    ZeroLengthMove,
 };
 
 /// Every name.
-const NAMES: [&str; 27] = [
+const NAMES: [&str; 30] = [
     "start-up",
     "start-up-lost",
     "cancel",
@@ -37,6 +38,9 @@ const NAMES: [&str; 27] = [
     "equal-radius",
     "zero-length-move",
     "pending-at-alarm",
+    "side-code-vector",
+    "cancel-vector",
+    "offset-change",
 ];
 
 /// The parameters that a text gives: each of the compensation's parameters once, by the names and values of
@@ -85,6 +89,9 @@ pub fn parameters(text: &str) -> Option<Parameters> {
         equal_radius: word(text, "equal-radius", EqualRadius::VALUES)?,
         zero_length_move: word(text, "zero-length-move", ZeroLengthMove::VALUES)?,
         pending_at_alarm: word(text, "pending-at-alarm", PendingAtAlarm::VALUES)?,
+        side_code_vector: word(text, "side-code-vector", SideCodeVector::VALUES)?,
+        cancel_vector: word(text, "cancel-vector", CancelVector::VALUES)?,
+        offset_change: word(text, "offset-change", OffsetChange::VALUES)?,
     })
 }
 

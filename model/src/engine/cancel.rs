@@ -6,9 +6,10 @@ use radcomp_spec::{AlarmKind, Block, Segment};
 use rug::Rational;
 
 use super::pending::LeadIn;
-use super::{Answer, Engine, Mode, Moving};
+use super::{Answer, End, Engine, Mode, Moving};
 use crate::decision::Judgement;
 use crate::element::Element;
+use crate::geometry::Vector;
 use crate::rules::cancel;
 use crate::rules::junction::line_to;
 use crate::rules::mode::Offset;
@@ -31,9 +32,12 @@ impl Engine {
         if let Some(corner) = block.corner {
             self.outer_corner = corner;
         }
+        self.drop_corner_arc(judgement);
         let mut lead_in = LeadIn::none();
         if let Some(pending) = &self.pending {
-            lead_in = match cancel::junction(pending, element.as_ref(), self.setting(block.rapid), judgement) {
+            let imaginary = block.vector.as_ref().map(|vector| Vector::read(vector, self.number));
+            let setting = self.setting(block.rapid);
+            lead_in = match cancel::junction(pending, element.as_ref(), imaginary.as_ref(), setting, judgement) {
                 Ok(junction) => self.pass(junction, judgement)?,
                 Err(refused) => return Err(self.refuse(number, refused, judgement)),
             };
@@ -52,12 +56,13 @@ impl Engine {
             return Ok(());
         };
         self.corner_moves(lead_in.clause, lead_in.moves, number, block.rapid, judgement);
-        self.cancel_move(Moving { number, rapid: block.rapid, element }, clause::TRC_CANCEL_02, judgement)
+        let moving = Moving { number, rapid: block.rapid, element, end: End::Junction };
+        self.cancel_move(moving, clause::TRC_CANCEL_02, judgement)
     }
 
     /// [TRC-CANCEL-02], or [TRC-CANCEL-03] after a G40 without movement.
     pub(super) fn cancel_move(&mut self, block: Moving, clause: Clause, judgement: &mut Judgement<'_>) -> Answer {
-        let Moving { number, rapid, element } = block;
+        let Moving { number, rapid, element, .. } = block;
         // [TRC-CANCEL-04]
         if element.is_arc() {
             return self.alarm(number, AlarmKind::ArcAtCancel, judgement);

@@ -5,6 +5,7 @@ mod offset;
 mod pending;
 mod read;
 mod start_up;
+mod vector;
 mod without_movement;
 
 use radcomp_spec::clause::{self, Clause};
@@ -13,7 +14,7 @@ use radcomp_spec::{Alarm, AlarmKind, Block, OuterCorner, Segment, Side, Step};
 use rug::Rational;
 
 use crate::decision::{Judgement, Sink, Stop};
-use crate::element::Element;
+use crate::element::{Arm, Element};
 use crate::geometry::Vector;
 use crate::number::Real;
 use crate::rules::corner::next_owns;
@@ -51,7 +52,9 @@ pub struct Engine {
     pending: Option<Pending>,
     /// The start-up block without movement whose next element is not yet read; nothing is pending then.
     shift: Option<Shift>,
-    /// Blocks without movement since the pending one, or since the start-up block without movement.
+    /// The corner arc whose next element is not yet read; nothing is pending then.
+    corner_arc: Option<CornerArc>,
+    /// Blocks without movement since the pending one, the start-up block without movement, or the corner arc.
     held: Held,
     settled: Option<Settled>,
     /// Side of the element before.
@@ -73,10 +76,23 @@ enum Mode {
 }
 
 /// A start-up block without movement ([TRC-START-08]).
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Shift {
     block: usize,
     rapid: bool,
+    /// The tool radius in force in the block ([TRC-MODE-11]).
+    radius: Real,
+}
+
+/// G39 without a direction ([TRC-VEC-03]).
+#[derive(Clone, Debug)]
+struct CornerArc {
+    block: usize,
+    rapid: bool,
+    side: Side,
+    /// The end of the element before, on whose normal the tool stands, with its side and its tool radius.
+    before: (Arm, Side),
+    radius: Real,
 }
 
 /// A block that moves, as the engine deals with it.
@@ -84,6 +100,17 @@ struct Moving {
     number: usize,
     rapid: bool,
     element: Element,
+    end: End,
+}
+
+/// What the vector at the end of a block that moves comes from.
+enum End {
+    /// The junction with the next element.
+    Junction,
+    /// The vector at its start ([TRC-VEC-04]).
+    Held,
+    /// The words I, J, K beside the code of a side ([TRC-START-10], [TRC-START-11], [TRC-VEC-06]).
+    Beside(Vector),
 }
 
 type Answer = Result<(), Stop>;
@@ -103,6 +130,7 @@ impl Engine {
             mode: Mode::Cancel,
             pending: None,
             shift: None,
+            corner_arc: None,
             held: Held::default(),
             settled: None,
             element_side: None,
@@ -163,7 +191,8 @@ impl Engine {
         let previous_rapid = self.pending.as_ref().is_some_and(|pending| pending.rapid);
         Setting {
             parameters: &self.parameters,
-            radius: &self.offset.radius,
+            // [TRC-MODE-11] the value of the element before.
+            radius: self.pending.as_ref().map_or(&self.offset.radius, |pending| &pending.radius),
             outer_corner: self.outer_corner,
             owner_rapid: if next_owns(self.parameters.corner_owner) { next_rapid } else { previous_rapid },
         }
@@ -176,11 +205,12 @@ impl Engine {
             return Err(Stop::Alarm(Alarm { block, kind }));
         }
         if let Some(pending) = &self.pending {
-            let end = pending.own_normal(&self.offset.radius);
+            let end = pending.own_normal();
             self.end_pending(clause::TRC_MODE_06, end, judgement)?;
             self.execute_held(clause::TRC_LOOK_02, judgement);
         }
         self.drop_shift(judgement);
+        self.drop_corner_arc(judgement);
         Err(Stop::Alarm(Alarm { block, kind }))
     }
 

@@ -1,11 +1,13 @@
 //! Elements of offset mode: blocks that move, and dummy blocks.
 
+use radcomp_spec::parameters::{EqualRadius, SideCodeVector};
 use radcomp_spec::{AlarmKind, Segment, Side, clause};
 
 use super::pending::{LeadIn, Pending, PendingKind};
-use super::{Answer, Engine, Moving};
+use super::{Answer, End, Engine, Moving};
 use crate::decision::{Judgement, Stop};
-use crate::element::Element;
+use crate::element::{Arm, Element, Shape};
+use crate::geometry::larger;
 use crate::rules::junction;
 use crate::rules::look_ahead::{self, Settled};
 use crate::rules::{arc, side_change, start_up};
@@ -13,34 +15,64 @@ use crate::rules::{arc, side_change, start_up};
 impl Engine {
     /// A block that moves in offset mode.
     pub(super) fn compensated(&mut self, block: Moving, side: Side, judgement: &mut Judgement<'_>) -> Answer {
-        let Moving { number, rapid, element } = block;
+        if matches!(block.end, End::Held) {
+            return self.held_vector(block, side, judgement);
+        }
+        let Moving { number, rapid, element, end } = block;
         if let Err(kind) = self.side_permitted(side) {
             return self.alarm(number, kind, judgement);
         }
-        let fit = match arc::tool_fits(&element, side, &self.offset.radius, self.parameters.equal_radius, judgement) {
+        let fit = match self.fit(&element, side, judgement) {
             Ok(fit) => fit,
             Err(kind) => return self.alarm(number, kind, judgement),
         };
         let lead_in = self.reach(number, rapid, &element, side, judgement)?;
         self.element_read(side);
         self.position = element.end.clone();
-        let kind = PendingKind::Offset;
-        self.pending = Some(Pending { block: number, rapid, kind, element, side, fit, lead_in });
+        let (kind, radius, imaginary) = (PendingKind::Offset, self.offset.radius.clone(), None);
+        // [TRC-VEC-06]
+        let given = match end {
+            End::Beside(along) if self.parameters.side_code_vector == SideCodeVector::RightAngles => {
+                Arm::imaginary(&element.end, &along).map(|along| along.normal(side, &radius))
+            }
+            _ => None,
+        };
+        self.pending = Some(Pending { block: number, rapid, kind, element, side, radius, imaginary, fit, lead_in });
+        if let Some(vector) = given {
+            self.end_pending(clause::TRC_VEC_06, vector, judgement)?;
+            self.settled = Some(Settled::ByCode);
+        }
         Ok(())
     }
 
+    /// How the tool fits inside an arc, with the value of its block and with that of the junction before it
+    /// ([TRC-ARC-05], [TRC-MODE-11]).
+    fn fit(&self, element: &Element, side: Side, judgement: &mut Judgement<'_>) -> Result<arc::Fit, AlarmKind> {
+        let own = &self.offset.radius;
+        let shift = self.shift.as_ref().map(|shift| &shift.radius);
+        let other = self.pending.as_ref().map(|pending| &pending.radius).or(shift).filter(|other| *other != own);
+        let Some(other) = other else {
+            return arc::tool_fits(element, side, own, self.parameters.equal_radius, judgement);
+        };
+        let fit = arc::tool_fits(element, side, &larger(own, other), EqualRadius::Alarm, judgement)?;
+        match element.shape {
+            Shape::Arc { full: true, .. } => Err(AlarmKind::OffsetChangedInMode),
+            _ => Ok(fit),
+        }
+    }
+
     /// [TRC-SIDE-01], [TRC-SIDE-04]
-    fn side_permitted(&self, side: Side) -> Result<(), AlarmKind> {
+    pub(super) fn side_permitted(&self, side: Side) -> Result<(), AlarmKind> {
         side_change::permitted(&self.parameters, side, self.element_side, self.start_up_side)
     }
 
-    fn element_read(&mut self, side: Side) {
+    pub(super) fn element_read(&mut self, side: Side) {
         self.start_up_side = None;
         self.element_side = Some(side);
     }
 
     /// Brings the tool to where the next element starts; answers the moves that the next block owns.
-    fn reach(
+    pub(super) fn reach(
         &mut self,
         number: usize,
         rapid: bool,
@@ -55,7 +87,10 @@ impl Engine {
         if let Some(pending) = &self.pending {
             let setting = self.setting(rapid);
             let junction = match pending.kind {
-                PendingKind::StartUp => start_up::junction(&pending.element, next, side, setting, judgement),
+                PendingKind::StartUp => {
+                    let before = (&pending.element, pending.imaginary.as_ref());
+                    start_up::junction(before, next, side, setting, judgement)
+                }
                 PendingKind::Entry | PendingKind::Offset => {
                     junction::between(&pending.element, pending.side, next, side, setting, judgement)
                 }
@@ -65,6 +100,7 @@ impl Engine {
                 Err(refused) => Err(self.refuse(number, refused, judgement)),
             };
         }
+        self.settle_corner_arc(next, judgement)?;
         if let Some(settled) = self.settled.take() {
             look_ahead::advise(&settled, next, side, &self.offset.radius, judgement);
         }

@@ -20,6 +20,10 @@ pub(crate) struct Pending {
     pub(crate) kind: PendingKind,
     pub(crate) element: Element,
     pub(crate) side: Side,
+    /// The tool radius in force in the block: that of the vector at its end ([TRC-MODE-11]).
+    pub(crate) radius: Real,
+    /// The direction of the imaginary line that its code gives it, if it is a start-up block ([TRC-START-11]).
+    pub(crate) imaginary: Option<Vector>,
     /// How the tool fits inside it, if it is an arc.
     pub(crate) fit: arc::Fit,
     /// The moves before its own move that it owns. They are made when the block is: an alarm at the block stops them
@@ -39,8 +43,8 @@ pub(crate) enum PendingKind {
 
 impl Pending {
     /// The vector at right angles to the block at its end.
-    pub(crate) fn own_normal(&self, radius: &Real) -> Vector {
-        self.element.last_arm().normal(self.side, radius)
+    pub(crate) fn own_normal(&self) -> Vector {
+        self.element.last_arm().normal(self.side, &self.radius)
     }
 
     /// Whether it is the start-up block.
@@ -130,13 +134,12 @@ impl Engine {
 
     /// Makes the pending block's own move to its end vector.
     pub(super) fn end_pending(&mut self, clause: Clause, end: Vector, judgement: &mut Judgement<'_>) -> Answer {
-        let Some(Pending { block, rapid, kind, element, side, fit, lead_in }) = self.pending.take() else {
-            return Ok(());
-        };
+        let Some(pending) = self.pending.take() else { return Ok(()) };
+        let Pending { block, rapid, kind, element, side, radius, imaginary: _, fit, lead_in } = pending;
         let at_centre = fit == arc::Fit::Point;
         let whole_circle = kind == PendingKind::Offset
             && !at_centre
-            && arc::whole_turn(&element, side, &self.offset.radius, (&self.tool, &end), judgement);
+            && arc::whole_turn(&element, side, &radius, (&self.tool, &end), judgement);
         if kind != PendingKind::StartUp {
             let reading = core::mem::replace(&mut judgement.block, block);
             let exempt = whole_circle || at_centre;

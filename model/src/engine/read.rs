@@ -1,12 +1,13 @@
 //! One block after another: the checks in their order, and what a block does in the mode in force.
 
 use radcomp_spec::clause;
-use radcomp_spec::parameters::SameCode;
+use radcomp_spec::parameters::{OffsetChange, SameCode};
 use radcomp_spec::{AlarmKind, Block, Compensation, DecisionKind, Movement};
 use rug::Rational;
 
 use super::pending::own_move;
-use super::{Answer, Engine, Mode, Moving};
+use super::vector::is_vector_block;
+use super::{Answer, End, Engine, Mode, Moving};
 use crate::decision::Judgement;
 use crate::element::{Element, Shape};
 use crate::geometry::Vector;
@@ -26,6 +27,7 @@ impl Engine {
         let cancels = block.compensation == Some(Compensation::Off);
         let offset = block.radius.as_ref().map(|radius| Offset::read(radius, self.number));
         if let Some(offset) = &offset
+            && self.parameters.offset_change == OffsetChange::Alarm
             && self.radius_is_fixed(block, element.is_some())
             && offset.radius != self.offset.radius
         {
@@ -42,6 +44,9 @@ impl Engine {
                 SameCode::Normal => self.settle_on_normal(judgement)?,
                 SameCode::Alarm => return self.alarm(number, AlarmKind::SameCode, judgement),
             }
+        }
+        if is_vector_block(block) && (cancels || self.mode != Mode::Offset) {
+            return self.outside_mode(number, judgement);
         }
         if self.mode == Mode::Offset && cancels {
             return self.cancel(number, block, element, offset, judgement);
@@ -64,7 +69,8 @@ impl Engine {
         }
         match element {
             Some(element) => {
-                self.moves(Moving { number, rapid: block.rapid, element }, judgement)?;
+                let end = self.end_of(block);
+                self.moves(Moving { number, rapid: block.rapid, element, end }, judgement)?;
                 // [TRC-LOOK-08] the block moves first.
                 if block.stops_look_ahead { self.lose(clause::TRC_LOOK_03, judgement) } else { Ok(()) }
             }
@@ -77,8 +83,10 @@ impl Engine {
     fn programmed(&self, block: &Block<Rational>, judgement: &mut Judgement<'_>) -> Result<Option<Element>, AlarmKind> {
         match &block.movement {
             _ if block.not_in_mode.is_some() => Ok(None),
-            Movement::None | Movement::Dummy { .. } => Ok(None),
-            Movement::Line { end } => {
+            Movement::None | Movement::Dummy { .. } | Movement::NewVector { .. } | Movement::CornerArc { .. } => {
+                Ok(None)
+            }
+            Movement::Line { end } | Movement::HeldVector { end } => {
                 let element = Element::line(self.position.clone(), Vector::read(end, self.number));
                 let Shape::Line { direction, length } = &element.shape else { return Ok(None) };
                 let squared = direction.length_squared();
@@ -89,6 +97,17 @@ impl Engine {
                 let words = arc::Words::read(end, centre, *direction, self.number);
                 arc::programmed(&self.position, words, &self.parameters, judgement).map(Some)
             }
+        }
+    }
+
+    /// What the vector at the end of a block that moves comes from.
+    fn end_of(&self, block: &Block<Rational>) -> End {
+        match (&block.movement, block.compensation, &block.vector) {
+            (Movement::HeldVector { .. }, ..) => End::Held,
+            (Movement::Line { .. }, Some(Compensation::On(_)), Some(vector)) => {
+                End::Beside(Vector::read(vector, self.number))
+            }
+            _ => End::Junction,
         }
     }
 

@@ -19,7 +19,12 @@ impl Engine {
         block: &Block<Rational>,
         judgement: &mut Judgement<'_>,
     ) -> Answer {
-        let unsettled = self.pending.is_some() || self.shift.is_some();
+        if let (Some(given), Some(side)) = (self.given(block), self.side()) {
+            self.give(given, (number, block.rapid), side, judgement)?;
+            // [TRC-LOOK-08]
+            return if block.stops_look_ahead { self.lose(clause::TRC_LOOK_03, judgement) } else { Ok(()) };
+        }
+        let unsettled = self.pending.is_some() || self.shift.is_some() || self.corner_arc.is_some();
         if let (Movement::Dummy { vector }, true, Some(side)) = (&block.movement, unsettled, self.side())
             && let Some(element) = dummy::element(&self.position, &Vector::read(vector, self.number))
         {
@@ -51,13 +56,14 @@ impl Engine {
     /// Whether a block without movement loses the look-ahead by itself: a straight move of length zero
     /// ([TRC-LOOK-07]), or a code that stops reading ahead ([TRC-LOOK-08]).
     fn breaks_look_ahead(&self, block: &Block<Rational>) -> bool {
-        let zero_length = matches!(block.movement, Movement::Line { .. });
+        let zero_length = matches!(block.movement, Movement::Line { .. } | Movement::HeldVector { .. });
         block.stops_look_ahead || (zero_length && self.parameters.zero_length_move == ZeroLengthMove::BreaksLookAhead)
     }
 
     /// The next element is not found: look-ahead is lost ([TRC-LOOK-03]) or the program ends ([TRC-MODE-04]).
     pub(super) fn lose(&mut self, clause: Clause, judgement: &mut Judgement<'_>) -> Answer {
         self.drop_shift(judgement);
+        self.drop_corner_arc(judgement);
         let Some(pending) = &self.pending else { return Ok(()) };
         let no_vector = pending.kind == PendingKind::StartUp && self.parameters.start_up_lost == StartUpLost::NoVector;
         let clause = if pending.starts_up() { clause::TRC_START_04 } else { clause };
@@ -69,7 +75,7 @@ impl Engine {
         } else {
             let normal = pending.element.last_arm().unit().toward(pending.side);
             self.settled = Some(Settled::Lost { normal });
-            pending.own_normal(&self.offset.radius)
+            pending.own_normal()
         };
         self.end_pending(clause, end, judgement)?;
         self.execute_held(clause::TRC_LOOK_03, judgement);
@@ -79,10 +85,10 @@ impl Engine {
     /// [TRC-MODE-05] the pending block ends on its own normal, which settles the junction.
     pub(super) fn settle_on_normal(&mut self, judgement: &mut Judgement<'_>) -> Answer {
         let Some(pending) = &self.pending else { return Ok(()) };
-        let end = pending.own_normal(&self.offset.radius);
+        let end = pending.own_normal();
         self.end_pending(clause::TRC_MODE_05, end, judgement)?;
         self.execute_held(clause::TRC_LOOK_02, judgement);
-        self.settled = Some(Settled::SameCode);
+        self.settled = Some(Settled::ByCode);
         Ok(())
     }
 }

@@ -2,24 +2,35 @@
 //! codes that they count as.
 
 use radcomp_spec::clause;
-use radcomp_spec::parameters::{Cancel, StartUpB};
+use radcomp_spec::parameters::{Cancel, CancelVector, StartUpB};
 
-use super::corner;
 use super::junction::{Junction, Refused, Setting};
+use super::{corner, vector};
 use crate::decision::Judgement;
-use crate::element::Element;
+use crate::element::{Arm, Element};
 use crate::engine::Pending;
+use crate::geometry::Vector;
 
-/// The junction before a block with G40, which moves along `cancel` unless it is one without movement.
+/// The junction before a block with G40, which moves along `cancel` unless it is one without movement, and has the
+/// vector `imaginary` beside its code.
 pub(crate) fn junction(
     before: &Pending,
     cancel: Option<&Element>,
+    imaginary: Option<&Vector>,
     setting: Setting<'_>,
     judgement: &mut Judgement<'_>,
 ) -> Result<Junction, Refused> {
     if before.starts_up() {
         // [TRC-START-05]
-        return Ok(Junction::single(clause::TRC_START_05, before.own_normal(setting.radius)));
+        return Ok(Junction::single(clause::TRC_START_05, before.own_normal()));
+    }
+    // [TRC-CANCEL-08] whatever `cancel` says.
+    if let (CancelVector::ImaginaryLine, Some(along)) = (setting.parameters.cancel_vector, imaginary)
+        && let Some(line) = Arm::imaginary(&before.element.end, along)
+    {
+        let met = vector::meet(&before.element.last_arm(), &line, before.side, setting.radius, judgement)?;
+        let on_line = met.map(|vector| Junction::single(clause::TRC_CANCEL_08, vector));
+        return Ok(on_line.unwrap_or_else(|| Junction::single(clause::TRC_CANCEL_01, before.own_normal())));
     }
     // [TRC-CANCEL-05]; [TRC-CANCEL-03] type A, if the block does not move.
     if let (Cancel::TypeB, Some(cancel)) = (setting.parameters.cancel, cancel) {
@@ -32,5 +43,5 @@ pub(crate) fn junction(
         }
     }
     // [TRC-CANCEL-01] the block before ends on its own normal.
-    Ok(Junction::single(clause::TRC_CANCEL_01, before.own_normal(setting.radius)))
+    Ok(Junction::single(clause::TRC_CANCEL_01, before.own_normal()))
 }

@@ -16,7 +16,7 @@ use crate::number::Real;
 
 /// The kinds of a corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+pub(super) enum Kind {
     /// Straight on ([TRC-CORNER-02]).
     Tangent,
     Inner,
@@ -84,7 +84,7 @@ pub(crate) fn of_type_b(
 }
 
 /// [TRC-CORNER-01] inner when σ·c > 0, or c = 0 and d > 0; outer otherwise.
-fn kind(before: &Arm, after: &Arm, side: Side, judgement: &mut Judgement<'_>) -> Result<Kind, Refused> {
+pub(super) fn kind(before: &Arm, after: &Arm, side: Side, judgement: &mut Judgement<'_>) -> Result<Kind, Refused> {
     Ok(match turn(before, after, side, judgement) {
         Ordering::Greater => Kind::Inner,
         Ordering::Less => Kind::Outer,

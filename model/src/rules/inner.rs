@@ -64,36 +64,47 @@ pub(crate) fn common_point(
     turning: Turning,
     judgement: &mut Judgement<'_>,
 ) -> Result<Vector, Refused> {
+    let point = common_point_if_any(before, after, side, radius, (turning, turning.decision()), judgement)?;
+    point.ok_or(Refused::Alarm(AlarmKind::NoIntersection))
+}
+
+/// The same, with the decision that asks whether the curves meet; none if they do not.
+pub(crate) fn common_point_if_any(
+    before: &Arm,
+    after: &Arm,
+    side: Side,
+    radius: &Real,
+    (turning, decision): (Turning, DecisionKind),
+    judgement: &mut Judgement<'_>,
+) -> Result<Option<Vector>, Refused> {
     let sign = turning.sign() * side_sign(side);
     match (&before.circle, &after.circle) {
         (None, None) => Err(Refused::Contradiction),
         (None, Some(circle)) => {
             let crossing = LineCircle::new(before, side, circle, side, radius);
-            must_meet(crossing.meet(turning.decision(), judgement))?;
+            if crossing.meet(decision, judgement) == Ordering::Less {
+                return Ok(None);
+            }
             // F + σ·δ·√(R'² - h²)·u1, and the other point when the path turns away.
-            Ok(crossing.point(sign * sense_sign(circle.sense) > 0))
+            Ok(Some(crossing.point(sign * sense_sign(circle.sense) > 0)))
         }
         (Some(circle), None) => {
             let crossing = LineCircle::new(after, side, circle, side, radius);
-            must_meet(crossing.meet(turning.decision(), judgement))?;
+            if crossing.meet(decision, judgement) == Ordering::Less {
+                return Ok(None);
+            }
             // F - σ·δ·√(R'² - h²)·u2, and the other point when the path turns away.
-            Ok(crossing.point(sign * sense_sign(circle.sense) < 0))
+            Ok(Some(crossing.point(sign * sense_sign(circle.sense) < 0)))
         }
         (Some(first), Some(second)) => {
             let crossing = CircleCircle::new(first, side, second, side, radius);
-            must_meet(crossing.meet(turning.decision(), judgement))?;
+            if crossing.meet(decision, judgement) == Ordering::Less {
+                return Ok(None);
+            }
             // C1 + a·e + σ·δ1·δ2·√(R1'² - a²)·perp(e), and the other point when the path turns away.
             let left = sign * sense_sign(first.sense) * sense_sign(second.sense) > 0;
-            crossing.point(left).ok_or(Refused::Contradiction)
+            crossing.point(left).map(Some).ok_or(Refused::Contradiction)
         }
-    }
-}
-
-/// [TRC-CORNER-05] Curves that touch meet.
-fn must_meet(meet: Ordering) -> Result<(), Refused> {
-    match meet {
-        Ordering::Less => Err(Refused::Alarm(AlarmKind::NoIntersection)),
-        _ => Ok(()),
     }
 }
 

@@ -18,8 +18,8 @@ pub(crate) enum Settled {
     Lost { normal: Vector },
     /// A dummy block stood for the next element, with this unit direction ([TRC-DUMMY-02]).
     Dummy { direction: Vector },
-    /// The code of the side in force was given again ([TRC-MODE-05]).
-    SameCode,
+    /// A code of the program gave the vector ([TRC-MODE-05], [TRC-VEC-02] to [TRC-VEC-06], [TRC-START-10]).
+    ByCode,
 }
 
 /// Where the element after a settled junction starts: a line where the tool stands ([TRC-LOOK-04]), an arc on its own
@@ -52,7 +52,7 @@ pub(crate) fn advise(settled: &Settled, next: &Element, side: Side, radius: &Rea
     let unit = next.first_arm().unit();
     let (kind, cosine) = match settled {
         Settled::Lost { normal } => (AdvisoryKind::LostLookAhead, normal.dot(&unit.toward(side))),
-        Settled::SameCode => return,
+        Settled::ByCode => return,
         Settled::Dummy { direction } => (AdvisoryKind::DummyMismatch, direction.dot(&unit)),
     };
     let amount = radius * &(Real::one() - cosine);

@@ -12,4 +12,5 @@ pub(crate) mod outer;
 pub(crate) mod side_change;
 pub(crate) mod start_up;
 pub(crate) mod tip;
+pub(crate) mod vector;
 pub(crate) mod wedge;

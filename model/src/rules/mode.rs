@@ -20,9 +20,11 @@ pub(crate) fn in_range(block: &Block<Rational>, negative_radius: NegativeRadius)
     let point = |point: &[Rational; 2]| point.iter().all(within);
     let movement = match &block.movement {
         _ if block.not_in_mode.is_some() => true,
-        Movement::None => true,
-        Movement::Line { end } => point(end),
-        Movement::Dummy { vector } => point(vector),
+        Movement::None | Movement::CornerArc { vector: None } => true,
+        Movement::Line { end } | Movement::HeldVector { end } => point(end),
+        Movement::Dummy { vector } | Movement::NewVector { vector } | Movement::CornerArc { vector: Some(vector) } => {
+            point(vector)
+        }
         Movement::Arc { end, centre, .. } => {
             point(end)
                 && match centre {
@@ -32,7 +34,9 @@ pub(crate) fn in_range(block: &Block<Rational>, negative_radius: NegativeRadius)
         }
     };
     let allowed = |radius: &Rational| negative_radius == NegativeRadius::SwapsSides || *radius >= 0;
-    movement && block.radius.as_ref().is_none_or(|radius| within(radius) && allowed(radius))
+    movement
+        && block.vector.as_ref().is_none_or(point)
+        && block.radius.as_ref().is_none_or(|radius| within(radius) && allowed(radius))
 }
 
 /// The tool offset in force: the sum of geometry and wear, which the program reader forms ([TRC-TIP-02]).

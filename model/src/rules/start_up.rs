@@ -6,23 +6,28 @@ use radcomp_spec::clause;
 use radcomp_spec::parameters::{StartUp, StartUpB};
 use radcomp_spec::{AlarmKind, DecisionKind, Side};
 
-use super::corner;
 use super::junction::{Junction, Refused, Setting};
+use super::{corner, vector};
 use crate::decision::Judgement;
-use crate::element::{Element, EntryArc, Shape};
+use crate::element::{Arm, Element, EntryArc, Shape};
 use crate::geometry::Vector;
 use crate::number::Real;
 
-/// The junction after a start-up block of type A or B.
+/// The junction after a start-up block of type A or B, or of one with the direction of an imaginary line.
 pub(crate) fn junction(
-    before: &Element,
+    (before, imaginary): (&Element, Option<&Vector>),
     next: &Element,
     side: Side,
     setting: Setting<'_>,
     judgement: &mut Judgement<'_>,
 ) -> Result<Junction, Refused> {
     let after = next.first_arm();
-    if setting.parameters.start_up == StartUp::TypeB {
+    if let Some(line) = imaginary.and_then(|along| Arm::imaginary(&before.end, along)) {
+        // [TRC-START-11]
+        if let Some(vector) = vector::meet(&line, &after, side, setting.radius, judgement)? {
+            return Ok(Junction::single(clause::TRC_START_11, vector));
+        }
+    } else if setting.parameters.start_up == StartUp::TypeB {
         // [TRC-START-06]
         let before = before.last_arm();
         if let Some(outer) = corner::of_type_b(&before, &after, side, setting, judgement)? {

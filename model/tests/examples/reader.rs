@@ -2,7 +2,8 @@
 
 use radcomp_model::number::parse_decimal;
 use radcomp_spec::parameters::{
-    Activation, CornerCodes, Dummy, InMode, Measure, OffsetZero, Plane, ReadAheadStop, ToolChange,
+    Activation, CancelVector, CornerCodes, Dummy, InMode, Measure, OffsetZero, Plane, ReadAheadStop, SideCodeVector,
+    ToolChange, VectorCodes,
 };
 use radcomp_spec::profile::Profile;
 use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
@@ -102,6 +103,7 @@ impl Reader<'_> {
         let mut own_code = None;
         let mut not_in_mode = None;
         let mut moves = true;
+        let mut vector_code = None;
         for word in words {
             if word.is('G', &[0, 1, 2, 3]) {
                 self.motion = word.value.numer().to_u32().expect("0 to 3");
@@ -123,6 +125,9 @@ impl Reader<'_> {
                     Activation::Right => Compensation::On(Side::Right),
                     Activation::Undeclared | Activation::Absent => panic!("G{} of an example", place + 40),
                 });
+            } else if word.is('G', &[38, 39]) {
+                assert_eq!(self.profile.machine.vector_codes, VectorCodes::G38G39, "G38 or G39 of an example");
+                vector_code = word.value.numer().to_u32();
             } else if word.is('G', &[90, 91]) {
                 self.incremental = word.value == 91;
             } else if word.letter == 'D' || (word.letter == 'T' && word.value >= 100) {
@@ -141,10 +146,54 @@ impl Reader<'_> {
             && (before.0.is_some() || matches!(block.compensation, Some(Compensation::On(_))));
         if in_mode && not_in_mode.is_some() {
             block.not_in_mode = not_in_mode;
+        } else if let Some(code) = vector_code {
+            block.movement = self.vector_block(code, words);
         } else if moves {
-            block.movement = self.movement(words);
+            let parameters = &self.profile.parameters;
+            let has_meaning = match own_code {
+                None => false,
+                Some(Compensation::Off) => parameters.cancel_vector != CancelVector::Refused,
+                Some(Compensation::On(_)) => parameters.side_code_vector != SideCodeVector::Refused,
+            };
+            if has_meaning && self.motion < 2 {
+                block.vector = self.in_plane(words, ['I', 'J', 'K']);
+            }
+            block.movement = self.movement(words, block.vector.is_some());
         }
         block
+    }
+
+    /// [TRC-VEC-01]
+    fn vector_block(&mut self, code: u32, words: &[Word]) -> Movement<Rational> {
+        let vector = self.in_plane(words, ['I', 'J', 'K']);
+        let start = axes(self.plane).map(|axis| self.position[axis].clone());
+        let to_point = self.in_plane(words, ['X', 'Y', 'Z']).is_some();
+        if code == 38 {
+            return match vector {
+                Some(vector) => Movement::NewVector { vector },
+                None => match self.movement(words, false) {
+                    Movement::Line { end } => Movement::HeldVector { end },
+                    other => panic!("G38 of an example with {other:?}"),
+                },
+            };
+        }
+        if !to_point {
+            return Movement::CornerArc { vector };
+        }
+        let kept = self.position.clone();
+        let end = axes(self.plane);
+        self.motion = self.motion.min(1);
+        let _ = self.movement(words, false);
+        let end = end.map(|axis| self.position[axis].clone());
+        self.position = kept;
+        Movement::CornerArc { vector: Some([0, 1].map(|axis| Rational::from(&end[axis] - &start[axis]))) }
+    }
+
+    /// The words of the plane among three letters, if one of them is there; one that is not is 0.
+    fn in_plane(&self, words: &[Word], letters: [char; 3]) -> Option<[Rational; 2]> {
+        let find = |letter: char| words.iter().find(|word| word.letter == letter).map(|word| word.value.clone());
+        let given = axes(self.plane).map(|axis| find(letters[axis]));
+        given.iter().any(Option::is_some).then(|| given.map(Option::unwrap_or_default))
     }
 
     /// The other codes of an example.
@@ -206,7 +255,8 @@ impl Reader<'_> {
         }
     }
 
-    fn movement(&mut self, words: &[Word]) -> Movement<Rational> {
+    /// The movement of a block; its centre words may be those beside a code.
+    fn movement(&mut self, words: &[Word], beside_code: bool) -> Movement<Rational> {
         let find = |letter: char| words.iter().find(|word| word.letter == letter).map(|word| word.value.clone());
         let start = self.position.clone();
         for (axis, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
@@ -235,7 +285,7 @@ impl Reader<'_> {
                 Movement::Arc { end, centre, direction }
             }
             0 | 1 if in_plane => Movement::Line { end },
-            0 | 1 if has_centre && no_axis_words => self.dummy(plane, centre),
+            0 | 1 if has_centre && no_axis_words && !beside_code => self.dummy(plane, centre),
             _ => Movement::None,
         }
     }

@@ -62,7 +62,10 @@ impl Case {
             let movement = match &block.movement {
                 Movement::None => Movement::None,
                 Movement::Line { end } => Movement::Line { end: point(end) },
+                Movement::HeldVector { end } => Movement::HeldVector { end: point(end) },
                 Movement::Dummy { vector } => Movement::Dummy { vector: point(vector) },
+                Movement::NewVector { vector } => Movement::NewVector { vector: point(vector) },
+                Movement::CornerArc { vector } => Movement::CornerArc { vector: vector.as_ref().map(point) },
                 Movement::Arc { end, centre, direction } => {
                     let centre = match centre {
                         Centre::FromStart(vector) => Centre::FromStart(point(vector)),
@@ -71,7 +74,8 @@ impl Case {
                     Movement::Arc { end: point(end), centre, direction: direction.reversed() }
                 }
             };
-            Block { movement, compensation: exchanged(block.compensation), ..block.clone() }
+            let vector = block.vector.as_ref().map(point);
+            Block { movement, vector, compensation: exchanged(block.compensation), ..block.clone() }
         };
         self.blocks.iter().map(block).collect()
     }
@@ -120,6 +124,9 @@ fn parameters(choices: &mut Choices<'_>) -> Parameters {
         small_vector_limit: choices.ratio(&[(0, 1), (1, 1), (2, 1)]),
         same_code: choices.value(SameCode::VALUES),
         pending_at_alarm: choices.value(PendingAtAlarm::VALUES),
+        side_code_vector: choices.value(SideCodeVector::VALUES),
+        cancel_vector: choices.value(CancelVector::VALUES),
+        offset_change: choices.value(OffsetChange::VALUES),
         negative_radius: choices.value(NegativeRadius::VALUES),
         equal_radius: choices.value(EqualRadius::VALUES),
         zero_length_move: choices.value(ZeroLengthMove::VALUES),
@@ -138,6 +145,7 @@ fn block(choices: &mut Choices<'_>, position: &mut [i32; 2]) -> Block<Rational> 
         movement: movement(choices, position),
         rapid: choices.once_in(4),
         compensation,
+        vector: choices.once_in(6).then(|| exact([choices.coordinate(), 1 + choices.below(4) as i32])),
         radius,
         corner: choices.once_in(20).then(|| choices.value(OuterCorner::VALUES)),
         stops_look_ahead: choices.once_in(20),
@@ -145,10 +153,23 @@ fn block(choices: &mut Choices<'_>, position: &mut [i32; 2]) -> Block<Rational> 
     }
 }
 
+fn exact([a, b]: [i32; 2]) -> [Rational; 2] {
+    [Rational::from(a), Rational::from(b)]
+}
+
 fn movement(choices: &mut Choices<'_>, position: &mut [i32; 2]) -> Movement<Rational> {
-    let exact = |[a, b]: [i32; 2]| [Rational::from(a), Rational::from(b)];
-    match choices.below(12) {
+    match choices.below(13) {
         0 | 1 => Movement::None,
+        // Few, as they end a program that is not in mode.
+        12 => match choices.below(4) {
+            0 => {
+                *position = [choices.coordinate(), choices.coordinate()];
+                Movement::HeldVector { end: exact(*position) }
+            }
+            1 => Movement::NewVector { vector: exact([choices.coordinate(), 1 + choices.below(4) as i32]) },
+            2 => Movement::CornerArc { vector: Some(exact([1 + choices.below(4) as i32, choices.coordinate()])) },
+            _ => Movement::CornerArc { vector: None },
+        },
         2 => Movement::Dummy { vector: exact([choices.coordinate(), choices.coordinate()]) },
         3 => Movement::Line { end: exact(*position) },
         kind @ 4..8 => {

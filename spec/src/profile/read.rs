@@ -266,6 +266,7 @@ fn blank() -> Profile {
             canned_cycle: InMode::Unsupported,
             read_ahead_stop: ReadAheadStop::NoMovement,
             offset_zero: OffsetZero::Refused,
+            vector_codes: VectorCodes::None,
         },
         activation: [Activation::Absent; 5],
         parameters: Parameters {
@@ -296,6 +297,9 @@ fn blank() -> Profile {
             equal_radius: EqualRadius::Alarm,
             zero_length_move: ZeroLengthMove::NoMovement,
             pending_at_alarm: PendingAtAlarm::Ended,
+            side_code_vector: SideCodeVector::Refused,
+            cancel_vector: CancelVector::Refused,
+            offset_change: OffsetChange::Alarm,
         },
         tips: [Tip::Absent; 10],
         alarms: Vec::new(),

@@ -174,6 +174,12 @@ pub const PARAMETERS: &[Parameter] = &[
         values: word!(OffsetZero, machine.offset_zero),
     },
     Parameter {
+        key: "machine.vector-codes",
+        meaning: "codes that give or hold a vector",
+        clause: clause::TRC_VEC_01,
+        values: word!(VectorCodes, machine.vector_codes),
+    },
+    Parameter {
         key: "activation.G40",
         meaning: "what G40 means for compensation",
         clause: clause::TRC_PLANE_05,
@@ -364,6 +370,24 @@ pub const PARAMETERS: &[Parameter] = &[
         meaning: "block that waits for its end when an alarm is raised",
         clause: clause::TRC_MODE_10,
         values: word!(PendingAtAlarm, parameters.pending_at_alarm),
+    },
+    Parameter {
+        key: "compensation.side-code-vector",
+        meaning: "I, J, K beside G41 or G42",
+        clause: clause::TRC_START_10,
+        values: word!(SideCodeVector, parameters.side_code_vector),
+    },
+    Parameter {
+        key: "compensation.cancel-vector",
+        meaning: "I, J, K beside G40",
+        clause: clause::TRC_CANCEL_08,
+        values: word!(CancelVector, parameters.cancel_vector),
+    },
+    Parameter {
+        key: "compensation.offset-change",
+        meaning: "offset value of another magnitude in mode",
+        clause: clause::TRC_MODE_03,
+        values: word!(OffsetChange, parameters.offset_change),
     },
     Parameter {
         key: "tips.T0",

@@ -57,6 +57,9 @@ pub(super) fn program(id: &str, plane: Plane, blocks: &[Block<Rational>]) -> Res
             Movement::None if block.compensation.is_none() => text.push_str(" g4 p0"),
             Movement::None => {}
             Movement::Dummy { .. } => return unsupported("dummy blocks"),
+            Movement::HeldVector { .. } | Movement::NewVector { .. } | Movement::CornerArc { .. } => {
+                return unsupported("vectors given by the program");
+            }
             Movement::Line { end } => {
                 text.push_str(if block.rapid { " g0" } else { " g1" });
                 text.push_str(&point(end)?);
@@ -97,6 +100,9 @@ impl State {
     fn codes(&mut self, block: &Block<Rational>, text: &mut String) -> Result<(), DeviceFault> {
         if block.stops_look_ahead || block.not_in_mode.is_some() {
             return unsupported("codes that stop reading ahead or are not for offset mode");
+        }
+        if block.vector.is_some() {
+            return unsupported("I, J and K beside a compensation code");
         }
         if block.corner.is_some() {
             return unsupported("a choice of the outer corner");

@@ -98,10 +98,13 @@ pub fn request(
 fn numbers(block: &Block<Rational>) -> impl Iterator<Item = &Rational> {
     let (point, further): (&[Rational], &[Rational]) = match &block.movement {
         Movement::None => (&[], &[]),
-        Movement::Line { end } => (end, &[]),
-        Movement::Dummy { vector } => (vector, &[]),
+        Movement::CornerArc { vector: None } => (&[], &[]),
+        Movement::Line { end } | Movement::HeldVector { end } => (end, &[]),
+        Movement::Dummy { vector } | Movement::NewVector { vector } | Movement::CornerArc { vector: Some(vector) } => {
+            (vector, &[])
+        }
         Movement::Arc { end, centre: Centre::FromStart(vector), .. } => (end, vector),
         Movement::Arc { end, centre: Centre::Radius(radius), .. } => (end, std::slice::from_ref(radius)),
     };
-    point.iter().chain(further).chain(&block.radius)
+    point.iter().chain(further).chain(&block.radius).chain(block.vector.iter().flatten())
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use radcomp_spec::clause;
 use radcomp_spec::parameters::{Dummy, Measure};
-use radcomp_spec::{Block, Centre, Direction, Movement};
+use radcomp_spec::{Block, Centre, Compensation, Direction, Movement};
 use rug::Rational;
 
 use super::State;
@@ -15,8 +15,14 @@ use crate::gcode::diagnostic::{Kind, LineFault};
 use crate::gcode::word::Word;
 
 impl State<'_> {
-    /// Reads the axis, centre and radius words of a block into its movement.
-    pub(super) fn move_axes(&mut self, command: &Command<'_>, block: &mut Block<Rational>) -> Result<(), LineFault> {
+    /// Reads the axis, centre and radius words of a block into its movement, or the centre words into the vector beside
+    /// its compensation code.
+    pub(super) fn move_axes(
+        &mut self,
+        command: &Command<'_>,
+        code: Option<Compensation>,
+        block: &mut Block<Rational>,
+    ) -> Result<(), LineFault> {
         for letter in ['P', 'U'] {
             if let Some(word) = command.word(letter) {
                 return Err(word_of_dwell(word));
@@ -40,6 +46,13 @@ impl State<'_> {
             Motion::Arc(direction) => self.arc(direction, centres, radius, first)?,
             Motion::Rapid | Motion::Feed => match (radius, centre, moves_axes) {
                 (Some(radius), ..) => return Err(word_of_arc(radius.span.clone())),
+                (None, Some(centre), _)
+                    if let Some(code) = code.filter(|code| moves_axes || !self.forms_dummy(*code)) =>
+                {
+                    let moves = self.moves_from(&from);
+                    block.vector = self.vector_beside(code, block.compensation, moves, centres, centre)?;
+                    self.line(axes)
+                }
                 (None, Some(centre), true) => return Err(word_of_arc(centre)),
                 (None, Some(centre), false) => self.dummy(centres, centre)?,
                 (None, None, _) => self.line(axes),
@@ -50,18 +63,23 @@ impl State<'_> {
         if moves_axes || matches!(block.movement, Movement::Arc { .. }) {
             self.moved_in = Some(self.plane);
         }
-        let [a, b, _] = axes_of(self.plane);
         let moves = match block.movement {
-            Movement::None | Movement::Dummy { .. } => false,
-            Movement::Line { .. } => from[a] != self.position[a] || from[b] != self.position[b],
+            Movement::Line { .. } => self.moves_from(&from),
             Movement::Arc { .. } => true,
+            _ => false,
         };
         self.started |= moves && self.in_mode();
         Ok(())
     }
 
+    /// Whether the programmed point stands elsewhere in the plane than before.
+    fn moves_from(&self, before: &[Rational; 3]) -> bool {
+        let [a, b, _] = axes_of(self.plane);
+        before[a] != self.position[a] || before[b] != self.position[b]
+    }
+
     /// All movements of a program are in one plane.
-    fn stay_in_plane(&self, first: &Range<usize>) -> Result<(), LineFault> {
+    pub(super) fn stay_in_plane(&self, first: &Range<usize>) -> Result<(), LineFault> {
         match self.moved_in {
             Some(before) if before != self.plane => {
                 let (before, now) = (name_of(before), name_of(self.plane));
@@ -75,7 +93,7 @@ impl State<'_> {
     }
 
     /// Moves the programmed point.
-    fn step(&mut self, axes: [Option<&Word<'_>>; 3]) {
+    pub(super) fn step(&mut self, axes: [Option<&Word<'_>>; 3]) {
         for (axis, word) in axes.into_iter().enumerate() {
             let Some(word) = word else { continue };
             let mut value = self.length(word);
@@ -159,13 +177,13 @@ impl State<'_> {
     }
 
     /// The plane's coordinates of a point or a vector.
-    fn in_plane(&self, point: &[Rational; 3]) -> [Rational; 2] {
+    pub(super) fn in_plane(&self, point: &[Rational; 3]) -> [Rational; 2] {
         let [a, b, _] = axes_of(self.plane);
         [point[a].clone(), point[b].clone()]
     }
 
     /// A length in millimetres.
-    fn length(&self, word: &Word<'_>) -> Rational {
+    pub(super) fn length(&self, word: &Word<'_>) -> Rational {
         match self.inches {
             true => word.value() * Rational::from((254, 10)),
             false => word.value(),
@@ -178,12 +196,12 @@ fn arc_fault(kind: Kind, span: Range<usize>, message: impl Into<String>) -> Line
 }
 
 /// I, J, K or R in a straight move.
-fn word_of_arc(span: Range<usize>) -> LineFault {
+pub(super) fn word_of_arc(span: Range<usize>) -> LineFault {
     arc_fault(Kind::MisplacedWord, span, "a straight move has no centre and no radius; G02 or G03 makes it an arc")
 }
 
 /// P or U in a block that is not a dwell.
-fn word_of_dwell(word: &Word<'_>) -> LineFault {
+pub(super) fn word_of_dwell(word: &Word<'_>) -> LineFault {
     match word.letter {
         'U' => {
             let message = "incremental axis words are not supported: G91 with X says the same";

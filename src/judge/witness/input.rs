@@ -14,11 +14,19 @@ pub(super) fn near(blocks: &[Block<Rational>], block: usize) -> Vec<usize> {
     before.chain(after).collect()
 }
 
-/// How many numbers a block moves by.
+/// How many numbers a block moves by, those of the vector beside its compensation code among them.
 pub(super) fn numbers(block: &Block<Rational>) -> usize {
-    match &block.movement {
-        Movement::None => 0,
-        Movement::Line { .. } | Movement::Dummy { .. } => 2,
+    of_movement(&block.movement) + if block.vector.is_some() { 2 } else { 0 }
+}
+
+fn of_movement(movement: &Movement<Rational>) -> usize {
+    match movement {
+        Movement::None | Movement::CornerArc { vector: None } => 0,
+        Movement::Line { .. }
+        | Movement::HeldVector { .. }
+        | Movement::Dummy { .. }
+        | Movement::NewVector { .. }
+        | Movement::CornerArc { vector: Some(_) } => 2,
         Movement::Arc { centre: Centre::Radius(_), .. } => 3,
         Movement::Arc { centre: Centre::FromStart(_), .. } => 4,
     }
@@ -31,9 +39,18 @@ pub(super) fn number_of(blocks: &[Block<Rational>], (index, number): Place) -> R
 }
 
 fn place(block: &mut Block<Rational>, number: usize) -> Option<&mut Rational> {
+    let beside = of_movement(&block.movement);
+    if number >= beside {
+        return block.vector.as_mut()?.get_mut(number - beside);
+    }
     match (&mut block.movement, number) {
-        (Movement::Line { end } | Movement::Arc { end, .. }, 0 | 1) => end.get_mut(number),
-        (Movement::Dummy { vector }, 0 | 1) => vector.get_mut(number),
+        (Movement::Line { end } | Movement::Arc { end, .. } | Movement::HeldVector { end }, 0 | 1) => {
+            end.get_mut(number)
+        }
+        (
+            Movement::Dummy { vector } | Movement::NewVector { vector } | Movement::CornerArc { vector: Some(vector) },
+            0 | 1,
+        ) => vector.get_mut(number),
         (Movement::Arc { centre: Centre::FromStart(vector), .. }, 2 | 3) => vector.get_mut(number - 2),
         (Movement::Arc { centre: Centre::Radius(radius), .. }, 2) => Some(radius),
         _ => None,
@@ -65,8 +82,8 @@ pub(super) fn with_alone(blocks: &[Block<Rational>], (index, number): Place, val
 
 fn end_of(block: &Block<Rational>) -> Option<[Rational; 2]> {
     match &block.movement {
-        Movement::Line { end } | Movement::Arc { end, .. } => Some(end.clone()),
-        Movement::None | Movement::Dummy { .. } => None,
+        Movement::Line { end } | Movement::Arc { end, .. } | Movement::HeldVector { end } => Some(end.clone()),
+        Movement::None | Movement::Dummy { .. } | Movement::NewVector { .. } | Movement::CornerArc { .. } => None,
     }
 }
 
