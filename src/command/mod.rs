@@ -1,6 +1,7 @@
 //! The command line: one file for each subcommand.
 
 mod alarm;
+mod book;
 mod certificate;
 mod certify;
 mod check;
@@ -9,6 +10,7 @@ mod compare;
 mod completions;
 mod device;
 mod device_kit;
+mod evidence;
 mod explain;
 mod failure;
 mod r#gen;
@@ -79,6 +81,8 @@ enum Command {
     VerifyCertificate(certificate::VerifyCertificate),
     Promote(promote::Promote),
     Clause(clause::Clauses),
+    Book(book::Book),
+    Ledger(evidence::Ledger),
     Completions(completions::Completions),
 }
 
@@ -103,6 +107,8 @@ pub fn main() -> ExitCode {
         Command::VerifyCertificate(command) => command.execute(),
         Command::Promote(command) => command.execute(),
         Command::Clause(command) => command.execute(),
+        Command::Book(command) => command.execute(),
+        Command::Ledger(command) => command.execute(),
         Command::Completions(command) => command.execute(),
     };
     match result {
