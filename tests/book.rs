@@ -44,10 +44,9 @@ fn every_example_is_executed_and_every_clause_stands_in_its_chapter() {
 
 #[test]
 fn the_pass_page_and_the_certificate_say_the_same() {
-    let page = &BOOK.files()["pass.html"];
+    let page = BOOK.files()["pass.html"].replace("&#x27;", "'").replace("&#x2f;", "/");
     for limit in radcomp::certificate::LIMITS {
-        let limit = limit.replace('&', "&amp;");
-        assert!(page.contains(&limit), "{limit}");
+        assert!(page.contains(limit), "{limit}");
     }
     assert!(page.contains("numbers differ from its own by no more than the band of the grade"));
 }

@@ -243,7 +243,7 @@ mod tests {
         );
         let links = Links::new([]);
         let place = Place { file: "spec/clauses/01-plane.md", line: Some(12), id: "TRC-PLANE-02-1" };
-        let prose = Prose { links: &links, formulas: true };
+        let prose = Prose { links: &links, formulas: true, bare: false };
         exhibit(&toml::from_str(&text).unwrap(), "On [TRC-PLANE-02].", &text, place, &["start-up"], prose)
     }
 

@@ -8,7 +8,7 @@ use radcomp_spec::{AdvisoryKind, AlarmKind, DecisionKind};
 use serde::Serialize;
 
 use super::index::{Index, Kind};
-use super::prose::without_tags;
+use super::prose::{Prose, without_tags};
 use super::site::Site;
 
 #[derive(Serialize)]
@@ -47,9 +47,13 @@ pub(super) fn pages(site: &mut Site<'_>, index: &mut Index) -> Result<(), String
     for profile in &profiles {
         one(site, index, profile)?;
     }
-    let prose = site.documents();
+    let prose = Prose { bare: true, ..site.documents() };
     let text = include_str!("../../spec/DIALECTS.md");
-    let body = prose.html(&with_profile_links(without_title(text), &profiles));
+    // What stands before the tables is for those who edit them.
+    let tables = text.find("## ").map_or(text, |start| &text[start..]);
+    let opening = "Every value leads from its profile's page to its clause. Source tags: S read in a source, K known from \
+                well-known manuals, I derived, D decided by this project.\n\n";
+    let body = prose.html(&format!("{opening}{}", with_profile_links(tables, &profiles)));
     let values = context! { body, profiles => profiles.iter().map(head).collect::<Vec<_>>(), dialects => true };
     site.page("dialects.html", "How the controls differ", "document.html", values)
 }

@@ -12,6 +12,8 @@ pub(super) struct Prose<'a> {
     pub(super) links: &'a Links,
     /// Code type may be a formula, as in clauses.
     pub(super) formulas: bool,
+    /// Code type is a value: no name of a parameter, an alarm or a profile.
+    pub(super) bare: bool,
 }
 
 impl Prose<'_> {
@@ -68,7 +70,12 @@ impl Prose<'_> {
                     }
                     events.push(Event::End(TagEnd::Heading(level)));
                 }
-                Event::Code(code) if !in_link => events.push(self.code(code)),
+                Event::Code(code) if !in_link => {
+                    // Behind `name` = stands a value, which may have the name of another parameter.
+                    let value = matches!(events.last(), Some(Event::Text(text)) if text.ends_with("= "));
+                    let code = if value || self.bare { plain_code(&code) } else { self.code(code) };
+                    events.push(code);
+                }
                 Event::Text(text) if !in_link && !in_code => events.extend(self.linked(&text)),
                 other => events.push(other),
             }
@@ -140,6 +147,10 @@ impl Prose<'_> {
     }
 }
 
+fn plain_code(code: &str) -> Event<'static> {
+    Event::InlineHtml(format!("<code>{}</code>", escaped(code)).into())
+}
+
 fn words(events: &[Event<'_>]) -> String {
     let word = |event: &Event<'_>| match event {
         Event::Text(text) | Event::Code(text) => text.to_string(),
@@ -181,7 +192,7 @@ mod tests {
     use super::*;
 
     fn html(text: &str) -> String {
-        Prose { links: &Links::new([]), formulas: true }.html(text)
+        Prose { links: &Links::new([]), formulas: true, bare: false }.html(text)
     }
 
     #[test]
@@ -190,6 +201,7 @@ mod tests {
         assert!(text.contains("<a href=\"04-corner.html#TRC-CORNER-08\">TRC-CORNER-08</a>"), "{text}");
         assert!(text.contains("<a href=\"parameters.html#corner-owner\"><code>corner-owner</code></a>"), "{text}");
         assert!(text.contains("<a href=\"08-dummy.html#TRC-DUMMY-01-1\">TRC-DUMMY-01#1</a>"), "{text}");
+        assert!(html("`offset-zero` = `cancel`").ends_with(" = <code>cancel</code></p>\n"));
         assert!(text.contains("<math>") && text.contains("[TRC-NONE-01]"), "{text}");
     }
 

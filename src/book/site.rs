@@ -71,12 +71,12 @@ impl<'a> Site<'a> {
 
     /// Prose of clauses, with formulas.
     pub(super) fn clauses(&self) -> Prose<'a> {
-        Prose { links: self.links, formulas: true }
+        Prose { links: self.links, formulas: true, bare: false }
     }
 
     /// Prose of other documents: code type is code.
     pub(super) fn documents(&self) -> Prose<'a> {
-        Prose { links: self.links, formulas: false }
+        Prose { links: self.links, formulas: false, bare: false }
     }
 
     /// Counts an executed example.

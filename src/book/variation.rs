@@ -13,7 +13,7 @@ use crate::vectors::Vector;
 pub(super) struct Variation {
     /// Their profiles.
     pub(super) profiles: Vec<String>,
-    /// The values of the clause's parameters there: name and value.
+    /// The values of the clause's parameters there: name, and its values with commas between.
     pub(super) values: Vec<[String; 2]>,
     /// The figure.
     figure: String,
@@ -45,9 +45,11 @@ pub(super) fn variations(
             same.push((*name).to_owned());
         } else if let Some((_, group)) = groups.iter_mut().find(|(known, _)| is_same(known, &run)) {
             group.profiles.push((*name).to_owned());
-            group.values.extend(values(&other, parameters));
-            group.values.sort();
-            group.values.dedup();
+            for ([_, known], [_, value]) in group.values.iter_mut().zip(values(&other, parameters)) {
+                if !known.split(", ").any(|known| known == value) {
+                    *known = format!("{known}, {value}");
+                }
+            }
         } else {
             let line = |block: usize| program.blocks.get(block).map_or(0, |read| read.line).to_string();
             let label = format!("the same program under the compensation of {name}");

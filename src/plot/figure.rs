@@ -22,7 +22,7 @@ const MOST_NAMES: usize = 30;
 /// Every part has a class, so that a style sheet gives it its colour: `programmed`, `lead`, `followed`, `refused`, `path`,
 /// `corner`, `free`, `rapid`, `tool`, `normal`, `vector`, `start`, `advisory`, `alarm`.
 pub fn figure(scene: &Scene, label: &str) -> String {
-    let frame = Frame::on(SHEET, scene);
+    let frame = Frame::on(SHEET, scene, &scene.normals);
     let mut out = format!(
         "<svg class=\"figure\" role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {} {}\">",
         escaped(label),

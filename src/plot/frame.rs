@@ -38,11 +38,11 @@ pub(super) struct Frame {
 impl Frame {
     /// The frame that holds a scene on a picture that stands alone.
     pub(super) fn around(scene: &Scene) -> Self {
-        Frame::on(PICTURE, scene)
+        Frame::on(PICTURE, scene, &[])
     }
 
-    /// The frame that holds a scene on a sheet.
-    pub(super) fn on(sheet: Sheet, scene: &Scene) -> Self {
+    /// The frame that holds a scene and these lines on a sheet.
+    pub(super) fn on(sheet: Sheet, scene: &Scene, lines: &[[Point<f64>; 2]]) -> Self {
         let (mut low, mut high) = ([f64::MAX; 2], [f64::MIN; 2]);
         let mut hold = |point: Point<f64>, radius: f64| {
             for axis in 0..2 {
@@ -55,6 +55,7 @@ impl Frame {
             piece.extremes().into_iter().for_each(|point| hold(point, 0.0));
         }
         scene.vectors.iter().for_each(|(point, radius)| hold(*point, *radius));
+        lines.iter().flatten().for_each(|point| hold(*point, 0.0));
         let size = [0, 1].map(|axis: usize| (high[axis] - low[axis]).max(1e-6));
         let scale = ((sheet.width - 2.0 * sheet.side) / size[0]).min(sheet.height.0 / size[1]);
         let height = (size[1] * scale).max(sheet.height.1);

@@ -100,7 +100,7 @@ fn write(folder: &Path, width: u32) {
 }
 
 /// What is asked of the search, and how the title begins that is to be among the first five: each clause by its id and by
-/// the words of its title, each sentence of the seed documents by its four longest words.
+/// the words of its title, each sentence of the seed documents by its five longest words.
 fn asked() -> Vec<(String, String)> {
     let mut asked = Vec::new();
     for (clause, title) in clause::ALL {
@@ -114,8 +114,9 @@ fn asked() -> Vec<(String, String)> {
         let sentence = entry["title"].as_str().unwrap();
         let mut words: Vec<&str> =
             sentence.split(|character: char| !character.is_alphanumeric()).filter(|word| word.len() > 1).collect();
-        words.sort_by_key(|word| std::cmp::Reverse(word.len()));
-        asked.push((words[..words.len().min(4)].join(" "), sentence.to_owned()));
+        words.sort_by_key(|word| (std::cmp::Reverse(word.len()), *word));
+        words.dedup();
+        asked.push((words[..words.len().min(5)].join(" "), sentence.to_owned()));
     }
     asked
 }

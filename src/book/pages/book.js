@@ -77,6 +77,8 @@ async function search(text) {
       score += worth;
       found += worth > 0 ? 1 : 0;
     }
+    if (entry.kind === "clause") score += 1;
+    if (entry.title.toUpperCase().includes(id)) score += 10;
     if (entry.title.startsWith(id) || entry.title.startsWith("TRC-" + id)) score += 100;
     // All words come before most of them.
     if (found * 2 > asked.length) scored.push([found / asked.length * 50 + score - Math.log2(entry.body.length + 8) / 4, entry]);
