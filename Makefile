@@ -11,7 +11,7 @@ build certify: export RADCOMP_COMMIT ?= $(shell git describe --always --dirty --
 LOCKED := $(if $(CI),--locked)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build test prove fuzz-smoke nightly certify bench lint doc
+.PHONY: help setup build book test prove fuzz-smoke nightly certify bench lint doc
 
 help: ## List the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
@@ -21,6 +21,10 @@ setup: ## Install the system packages that the build needs, if any is missing
 
 build: setup ## Build the command and every library, optimised
 	$(CARGO) build $(LOCKED) --workspace --release
+
+book: setup ## Build the specification as a book, book/index.html (BOOK=…)
+	$(CARGO) build $(LOCKED) --release --bin radcomp
+	"$(TARGET_DIR)/release/radcomp" book --output $(or $(BOOK),book)
 
 test: lint doc ## Everything CI checks: format, lints, documentation, dependencies, every test
 	@scripts/setup --test

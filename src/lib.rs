@@ -1,11 +1,13 @@
 //! The radcomp toolkit: programs in, verdicts out.
 
+pub mod book;
 pub mod boundary;
 pub mod canon;
 pub mod certificate;
 pub mod certify;
 pub mod device;
 pub mod edited;
+pub mod evidence;
 pub mod explain;
 pub mod gcode;
 pub mod generate;

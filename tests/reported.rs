@@ -1,5 +1,6 @@
 //! What is made of a report: pictures, pages, JUnit XML, certificates.
 
+mod browser;
 #[path = "reported/campaigns.rs"]
 mod campaigns;
 #[path = "reported/certificates.rs"]

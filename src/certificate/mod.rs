@@ -12,4 +12,4 @@ mod statement;
 pub use check::{objections, objections_to_report};
 pub use key::{Key, KeyError};
 pub use page::page;
-pub use statement::{Certificate, FORMAT, Statement};
+pub use statement::{BARE_ADMISSIBLE, Certificate, Claim, FORMAT, LIMITS, Statement};

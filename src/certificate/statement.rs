@@ -1,5 +1,7 @@
 //! The statement and its signature.
 
+use std::fmt;
+
 use ed25519_dalek::{Signature, VerifyingKey};
 use serde::{Deserialize, Serialize};
 
@@ -112,21 +114,58 @@ impl Certificate {
     }
 }
 
+/// What a green run supports, in one sentence: the numbers of a run, or names that stand for them.
+#[derive(Clone, Copy, Debug)]
+pub struct Claim<'a> {
+    /// How many programs were judged.
+    pub programs: &'a str,
+    /// How many passed.
+    pub pass: &'a str,
+    /// How far a point may lie off, in millimetres.
+    pub delta: &'a str,
+    /// The profile.
+    pub profile: &'a str,
+    /// How wide the band is.
+    pub band: &'a str,
+}
+
+impl fmt::Display for Claim<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Claim { programs, pass, delta, profile, band } = self;
+        write!(
+            f,
+            "Of the {programs} programs judged, {pass} pass: the device's path is, to within {delta} mm at every end \
+             point and arc centre, the exact outcome of the program under the profile {profile}, or that of a program whose \
+             numbers differ from its own by no more than the band of {band}, or the outcome with some decisions taken \
+             another way whose exact margins lie within that band."
+        )
+    }
+}
+
+/// What no green run says.
+pub const LIMITS: [&str; 5] = [
+    "It says nothing of a program that was not judged.",
+    "The profile is a reading of documents: that the maker meant the same is not shown.",
+    "It is about the path of the tool's centre: not about feed, servo, tool wear or the machine.",
+    "The answers are those that the device gave when it was asked: that the same device is sold is not shown. The \
+     hashes are of the files that its command names, not of what these load.",
+    "Exact answers are counted in the report and not kept in it: that they were given rests on the signer.",
+];
+
+/// What a run does not say where some verdict is `admissible-without-witness`.
+pub const BARE_ADMISSIBLE: &str =
+    "For some answers on other branches in the band no input that has them was constructed.";
+
 fn theorem(report: &Report) -> String {
-    let band = match report.grade {
-        GradeRecord::Binary64 => "2^-40 of the largest number of the program",
-        GradeRecord::Resolution => "half the least input increment",
-    };
     let Buckets { pass, expected_failure, unsupported, .. } = report.counts;
-    let mut text = format!(
-        "Of the {} programs judged, {pass} pass: the device's path is, to within {} mm at every end point and arc centre, \
-         the exact outcome of the program under the profile {}, or that of a program whose numbers differ from its own by \
-         no more than the band of {band}, or the outcome with some decisions taken another way whose exact margins lie \
-         within that band.",
-        report.tally.programs,
-        report.delta_mm.text(),
-        report.profile,
-    );
+    let mut text = Claim {
+        programs: &report.tally.programs.to_string(),
+        pass: &pass.to_string(),
+        delta: &report.delta_mm.text(),
+        profile: &report.profile,
+        band: report.grade.band(),
+    }
+    .to_string();
     if expected_failure > 0 {
         text.push_str(&format!(" {expected_failure} programs fail as the waivers say."));
     }
@@ -137,19 +176,9 @@ fn theorem(report: &Report) -> String {
 }
 
 fn limits(report: &Report) -> Vec<String> {
-    let mut limits = vec![
-        "It says nothing of a program that was not judged.".to_owned(),
-        "The profile is a reading of documents: that the maker meant the same is not shown.".to_owned(),
-        "It is about the path of the tool's centre: not about feed, servo, tool wear or the machine.".to_owned(),
-        "The answers are those that the device gave when it was asked: that the same device is sold is not shown. The \
-         hashes are of the files that its command names, not of what these load."
-            .to_owned(),
-        "Exact answers are counted in the report and not kept in it: that they were given rests on the signer."
-            .to_owned(),
-    ];
+    let mut limits: Vec<String> = LIMITS.map(str::to_owned).into();
     if report.tally.verdicts.get("admissible-without-witness").is_some_and(|count| *count > 0) {
-        limits
-            .push("For some answers on other branches in the band no input that has them was constructed.".to_owned());
+        limits.push(BARE_ADMISSIBLE.to_owned());
     }
     limits
 }

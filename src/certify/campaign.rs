@@ -80,9 +80,9 @@ const MOST_FAILURES: usize = 200;
 /// How many causes are minimised.
 const MOST_GROUPS: usize = 8;
 /// One program in so many is also moved, mirrored, scaled, rotated and split; each costs about fifteen answers.
-const MOVED_ONE_IN: u64 = 32;
+pub const MOVED_ONE_IN: u64 = 32;
 /// One triple of every decision for so many generated programs.
-pub(super) const TRIPLE_ONE_IN: u64 = 400;
+pub const TRIPLE_ONE_IN: u64 = 400;
 /// How many programs a thread takes at a time.
 const CHUNK: u64 = 60;
 

@@ -9,7 +9,7 @@ mod safety;
 mod tally;
 mod waivers;
 
-pub use campaign::{Campaign, Level, Outcome, certify};
+pub use campaign::{Campaign, Level, MOVED_ONE_IN, Outcome, TRIPLE_ONE_IN, certify};
 pub use failure::Failure;
 pub use programs::{named_programs, programs, recount};
 pub use recorded::Recorded;

@@ -2,6 +2,7 @@
 
 mod alarm;
 mod answer;
+mod book;
 mod certificate;
 mod certify;
 mod check;
@@ -10,6 +11,7 @@ mod compare;
 mod completions;
 mod device;
 mod device_kit;
+mod evidence;
 mod explain;
 mod failure;
 mod r#gen;
@@ -82,6 +84,8 @@ enum Command {
     VerifyCertificate(certificate::VerifyCertificate),
     Promote(promote::Promote),
     Clause(clause::Clauses),
+    Book(book::Book),
+    Ledger(evidence::Ledger),
     Completions(completions::Completions),
 }
 
@@ -107,6 +111,8 @@ pub fn main() -> ExitCode {
         Command::VerifyCertificate(command) => command.execute(),
         Command::Promote(command) => command.execute(),
         Command::Clause(command) => command.execute(),
+        Command::Book(command) => command.execute(),
+        Command::Ledger(command) => command.execute(),
         Command::Completions(command) => command.execute(),
     };
     match result {

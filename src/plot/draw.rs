@@ -123,6 +123,11 @@ fn axes_through_zero(document: Document, frame: &Frame) -> Document {
 }
 
 fn path(piece: &Piece, frame: &Frame) -> Path {
+    Path::new().set("d", outline(piece, frame))
+}
+
+/// The path data of a piece.
+pub(super) fn outline(piece: &Piece, frame: &Frame) -> String {
     let [x, y] = frame.place(piece.start).map(short);
     let mut data = format!("M{x} {y}");
     match (piece.form, piece.sweep(), piece.radius()) {
@@ -139,11 +144,11 @@ fn path(piece: &Piece, frame: &Frame) -> Path {
             data.push_str(&format!("L{x} {y}"));
         }
     }
-    Path::new().set("d", data)
+    data
 }
 
 /// The pieces of the centre path that are long enough for an arrow.
-fn arrowed<'s>(scene: &'s Scene, frame: &Frame) -> Vec<&'s Piece> {
+pub(super) fn arrowed<'s>(scene: &'s Scene, frame: &Frame) -> Vec<&'s Piece> {
     scene.path.iter().filter(|piece| frame.length(piece.length()) > 34.0).collect()
 }
 

@@ -6,27 +6,43 @@ use super::scene::Scene;
 
 /// Width of the picture.
 pub(super) const WIDTH: f64 = 1000.0;
-/// Above the drawing: the title.
-const TOP: f64 = 64.0;
-/// Beside the drawing: labels.
-const SIDE: f64 = 70.0;
-/// Greatest and least height of the drawing.
-const HEIGHT: (f64, f64) = (640.0, 160.0);
-/// Below the drawing: labels and the scale.
-const BELOW: f64 = 96.0;
+
+/// The room of a picture and what is left free around its drawing.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sheet {
+    /// Width of the whole.
+    pub(super) width: f64,
+    /// Above the drawing: the title.
+    pub(super) top: f64,
+    /// Beside the drawing: labels.
+    pub(super) side: f64,
+    /// Greatest and least height of the drawing.
+    pub(super) height: (f64, f64),
+    /// Below the drawing: labels and the scale.
+    pub(super) below: f64,
+}
+
+/// A picture that stands alone.
+const PICTURE: Sheet = Sheet { width: WIDTH, top: 64.0, side: 70.0, height: (640.0, 160.0), below: 96.0 };
 
 /// The map from the plane to the picture: the first axis to the right, the second up.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
     scale: f64,
     origin: Point<f64>,
+    width: f64,
     /// Bottom of the drawing; the legend stands below it.
     pub(super) bottom: f64,
 }
 
 impl Frame {
-    /// The frame that holds a scene.
+    /// The frame that holds a scene on a picture that stands alone.
     pub(super) fn around(scene: &Scene) -> Self {
+        Frame::on(PICTURE, scene, &[])
+    }
+
+    /// The frame that holds a scene and these lines on a sheet.
+    pub(super) fn on(sheet: Sheet, scene: &Scene, lines: &[[Point<f64>; 2]]) -> Self {
         let (mut low, mut high) = ([f64::MAX; 2], [f64::MIN; 2]);
         let mut hold = |point: Point<f64>, radius: f64| {
             for axis in 0..2 {
@@ -39,12 +55,13 @@ impl Frame {
             piece.extremes().into_iter().for_each(|point| hold(point, 0.0));
         }
         scene.vectors.iter().for_each(|(point, radius)| hold(*point, *radius));
+        lines.iter().flatten().for_each(|point| hold(*point, 0.0));
         let size = [0, 1].map(|axis: usize| (high[axis] - low[axis]).max(1e-6));
-        let scale = ((WIDTH - 2.0 * SIDE) / size[0]).min(HEIGHT.0 / size[1]);
-        let height = (size[1] * scale).max(HEIGHT.1);
+        let scale = ((sheet.width - 2.0 * sheet.side) / size[0]).min(sheet.height.0 / size[1]);
+        let height = (size[1] * scale).max(sheet.height.1);
         let middle = [0, 1].map(|axis: usize| low[axis].midpoint(high[axis]));
-        let origin = [WIDTH / 2.0 - middle[0] * scale, TOP + height / 2.0 + middle[1] * scale];
-        Frame { scale, origin, bottom: TOP + height + BELOW }
+        let origin = [sheet.width / 2.0 - middle[0] * scale, sheet.top + height / 2.0 + middle[1] * scale];
+        Frame { scale, origin, width: sheet.width, bottom: sheet.top + height + sheet.below }
     }
 
     /// A point of the plane in the picture.
@@ -59,7 +76,7 @@ impl Frame {
 
     /// A round length, in millimetres, that takes about a seventh of the picture's width.
     pub(super) fn round_length(&self) -> f64 {
-        let wanted = WIDTH / 7.0 / self.scale;
+        let wanted = self.width / 7.0 / self.scale;
         let power = 10.0_f64.powf(wanted.log10().floor());
         let steps = [5.0, 2.0, 1.0].map(|step| step * power);
         steps.into_iter().find(|step| *step <= wanted).unwrap_or(power)

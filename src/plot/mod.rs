@@ -4,6 +4,7 @@
 
 mod comparison;
 mod draw;
+mod figure;
 mod frame;
 mod labels;
 mod legend;
@@ -12,5 +13,6 @@ mod scene;
 
 pub use comparison::comparison;
 pub use draw::svg;
+pub use figure::figure;
 pub use piece::{Form, Piece, Trace};
 pub use scene::{Mark, MarkKind, Scene};

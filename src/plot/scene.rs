@@ -1,9 +1,11 @@
 //! What is drawn: gathered from the blocks as they are read and from what the model answers.
 
+use std::f64::consts::FRAC_PI_2;
+
 use radcomp_model::Sink;
 use radcomp_model::number::{Real, nearest_f64};
 use radcomp_spec::block::Point;
-use radcomp_spec::{Advisory, AdvisoryKind, Alarm, Block, Compensation, Segment, Step, clause};
+use radcomp_spec::{Advisory, AdvisoryKind, Alarm, Block, Compensation, Segment, Side, Step, clause};
 use rug::Rational;
 
 use super::piece::{Form, Piece, Trace};
@@ -20,6 +22,8 @@ pub struct Scene {
     pub path: Vec<Piece>,
     /// The places of the tool's centre at its vectors, with the tool's radius.
     pub vectors: Vec<(Point<f64>, f64)>,
+    /// The normals of programmed blocks on the side in force, r long, from the ends of the block: their two points.
+    pub normals: Vec<[Point<f64>; 2]>,
     /// The programmed end points with the names of their blocks.
     pub corners: Vec<(Point<f64>, String)>,
     /// Advisories and the alarm.
@@ -29,9 +33,11 @@ pub struct Scene {
     program: Programmed,
     tool: Point<f64>,
     blocks: Vec<Seen>,
-    /// A side is in force, and a block that moves has been read since it came into force.
-    side: bool,
+    /// The side in force, and whether a block that moves has been read since one came into force.
+    side: Option<Side>,
     started: bool,
+    /// The radius in force is negative.
+    exchanged: bool,
 }
 
 /// A place that is marked.
@@ -73,14 +79,16 @@ impl Scene {
             programmed: Vec::new(),
             path: Vec::new(),
             vectors: Vec::new(),
+            normals: Vec::new(),
             corners: Vec::new(),
             marks: Vec::new(),
             radius: 0.0,
             program: Programmed::new(),
             tool: [0.0, 0.0],
             blocks: Vec::new(),
-            side: false,
+            side: None,
             started: false,
+            exchanged: false,
         }
     }
 
@@ -94,8 +102,11 @@ impl Scene {
         let before = self.blocks.last().map_or(0.0, |block| block.radius);
         let radius = block.radius.as_ref().map_or(before, |radius| nearest_f64(radius).abs());
         self.radius = self.radius.max(radius);
-        if let Some(compensation) = block.compensation {
-            self.side = compensation != Compensation::Off;
+        self.exchanged = block.radius.as_ref().map_or(self.exchanged, |radius| *radius < 0);
+        match block.compensation {
+            Some(Compensation::Off) => self.side = None,
+            Some(Compensation::On(side)) => self.side = Some(side),
+            None => {}
         }
         let programmed = self.program.next(block);
         let form = programmed.as_ref().and_then(|programmed| match programmed.shape {
@@ -107,9 +118,13 @@ impl Scene {
         if let (Some(form), Some(programmed)) = (form, &programmed) {
             piece = Some(self.programmed.len());
             let (start, end) = (programmed.start, programmed.end);
-            let trace = if self.side == self.started { Trace::Programmed } else { Trace::Lead };
-            self.started = self.side;
-            self.programmed.push(Piece { start, end, form, trace });
+            let trace = if self.side.is_some() == self.started { Trace::Programmed } else { Trace::Lead };
+            self.started = self.side.is_some();
+            let drawn = Piece { start, end, form, trace };
+            if trace == Trace::Programmed {
+                self.add_normals(&drawn, radius);
+            }
+            self.programmed.push(drawn);
             self.corners.push((end, name.clone()));
         }
         self.blocks.push(Seen { name, programmed, piece, radius });
@@ -123,6 +138,20 @@ impl Scene {
         }
         let text = format!("{} at {}", alarm.kind.id(), block.name);
         self.marks.push(Mark { point: self.tool, text, kind: MarkKind::Alarm });
+    }
+
+    /// The normals at both ends of a programmed piece ([TRC-PLANE-02], [TRC-SIDE-07]), for drawing only.
+    fn add_normals(&mut self, piece: &Piece, radius: f64) {
+        let Some(side) = self.side.filter(|_| radius > 0.0 && piece.length() > 0.0) else { return };
+        for part in [0.0, 1.0] {
+            let (point, heading) = piece.at(part);
+            let quarter = match (side, self.exchanged) {
+                (Side::Left, false) | (Side::Right, true) => FRAC_PI_2,
+                (Side::Right, false) | (Side::Left, true) => -FRAC_PI_2,
+            };
+            let (sine, cosine) = (heading + quarter).sin_cos();
+            self.normals.push([point, [point[0] + radius * cosine, point[1] + radius * sine]]);
+        }
     }
 
     fn trace(&self, step: &Step<Real>) -> Trace {

@@ -101,6 +101,16 @@ pub enum GradeRecord {
     Resolution,
 }
 
+impl GradeRecord {
+    /// How wide the band is, in words.
+    pub const fn band(self) -> &'static str {
+        match self {
+            GradeRecord::Binary64 => "2^-40 of the largest number of the program",
+            GradeRecord::Resolution => "half the least input increment",
+        }
+    }
+}
+
 /// A waiver that was given, and what it covered.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -1,11 +1,11 @@
 //! JUnit XML and the HTML page, which a real browser opens.
 
 use std::path::Path;
-use std::process::Command;
 use std::{env, fs};
 
 use radcomp::report::{Report, junit, page};
 
+use crate::browser::{browser, title_of};
 use crate::campaigns::{faulty, sound};
 
 #[test]
@@ -77,36 +77,6 @@ window.addEventListener("load", () => {
 });
 </script>"##;
 
-/// The browser, if it is installed. In continuous integration its absence is a failure.
-fn browser() -> Option<&'static str> {
-    let found = ["chromium", "chromium-browser", "google-chrome"]
-        .into_iter()
-        .find(|name| Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success()));
-    if found.is_none() {
-        assert!(env::var_os("CI").is_none(), "no Chromium: scripts/setup --test installs it");
-        eprintln!("SKIPPED: no Chromium on PATH; scripts/setup --test installs it");
-    }
-    found
-}
-
-/// What the page's title says after the trial, in a window of this width.
-fn title_after(browser: &str, html: &str, width: u32, dark: bool) -> String {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("report.html");
-    fs::write(&file, html).unwrap();
-    let mut command = Command::new(browser);
-    command.args(["--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=4000"]);
-    if dark {
-        command.arg("--blink-settings=preferredColorScheme=0");
-    }
-    command.arg(format!("--user-data-dir={}", folder.path().join("profile").display()));
-    command.arg(format!("--window-size={width},900")).arg("--dump-dom").arg(format!("file://{}", file.display()));
-    let output = command.output().expect("the browser");
-    let dom = String::from_utf8_lossy(&output.stdout);
-    let title = dom.split_once("<title>").and_then(|(_, rest)| rest.split_once("</title>"));
-    title.map_or_else(|| format!("no title in {dom}"), |(title, _)| title.to_owned())
-}
-
 fn with_trial(report: &Report) -> String {
     let failed = report.tally.clauses.values().filter(|clause| clause.failed > 0).count();
     let trial = TRIAL.replace("FAILED", &failed.to_string());
@@ -118,11 +88,11 @@ fn a_browser_opens_the_page() {
     let Some(browser) = browser() else { return };
     // The browser's window is never narrower than 500 pixels; the trial makes the page itself 380 wide.
     for (report, width, dark) in [(faulty(), 1200, false), (faulty(), 500, true), (sound(), 500, false)] {
-        assert_eq!(title_after(browser, &with_trial(report), width, dark), "trial: all is well");
+        assert_eq!(title_of(browser, &with_trial(report), width, dark), "trial: all is well");
     }
     // The trial can fail: a page that is refused a request says so.
     let bad = with_trial(sound()).replace("<main>", "<main><img src=\"http://192.0.2.1/a.png\" alt=\"\">");
-    assert!(title_after(browser, &bad, 1200, false).contains("blocked http://192.0.2.1/a.png"));
+    assert!(title_of(browser, &bad, 1200, false).contains("blocked http://192.0.2.1/a.png"));
 }
 
 #[test]

@@ -92,7 +92,7 @@ impl State<'_> {
         }
     }
 
-    /// Moves the programmed point.
+    /// Moves the programmed point; diameters are halved ([TRC-PLANE-03]).
     pub(super) fn step(&mut self, axes: [Option<&Word<'_>>; 3]) {
         for (axis, word) in axes.into_iter().enumerate() {
             let Some(word) = word else { continue };
@@ -165,6 +165,7 @@ impl State<'_> {
             return Err(fault("a dummy block comes after the start-up block".to_owned()));
         }
         let mut vector = centres.map(|word| word.map(|word| self.length(word)).unwrap_or_default());
+        // [TRC-DUMMY-05]
         if self.profile.machine.dummy_first_axis == Measure::Diameter {
             vector[0] /= 2;
         }
