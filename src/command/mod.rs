@@ -12,7 +12,9 @@ mod device_kit;
 mod explain;
 mod failure;
 mod r#gen;
+mod judging;
 mod ledger;
+mod merge;
 mod nearest;
 mod options;
 mod ping;
@@ -21,6 +23,7 @@ mod profiles;
 mod program;
 mod promote;
 mod replay;
+mod results;
 mod run;
 mod safety;
 mod serve;
@@ -71,6 +74,7 @@ enum Command {
     DeviceKit(device_kit::DeviceKit),
     Gen(r#gen::Gen),
     Check(check::Check),
+    Merge(merge::Merge),
     Serve(serve::Serve),
     VerifyWitness(verify_witness::VerifyWitness),
     Replay(replay::Replay),
@@ -95,6 +99,7 @@ pub fn main() -> ExitCode {
         Command::DeviceKit(command) => command.execute(),
         Command::Gen(command) => command.execute(),
         Command::Check(command) => command.execute(),
+        Command::Merge(command) => command.execute(),
         Command::Serve(command) => command.execute(),
         Command::VerifyWitness(command) => command.execute(),
         Command::Replay(command) => command.execute(),
