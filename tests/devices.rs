@@ -1,5 +1,7 @@
 //! Devices outside this process: faults of theirs are found, and none of them ends a run.
 
+#[path = "devices/differences.rs"]
+mod differences;
 #[path = "devices/faulty.rs"]
 mod faulty;
 #[path = "devices/kit.rs"]

@@ -224,8 +224,9 @@ fn another_profile_or_level_is_found() {
     is_contradicted(|report| report.least_increment_mm = Binary(0.01), "least increment");
     is_contradicted(|report| report.parameters.non_moving_allowed = Some(5), "parameters");
     is_contradicted(|report| report.level = Some(1), "level 1 has 24000 generated programs, not 60");
-    is_contradicted(|report| report.level = Some(3), "no level 3");
-    assert_eq!(LEAST_PROGRAMS, [Level::One.programs(), Level::Two.programs()]);
+    is_contradicted(|report| report.level = Some(3), "level 3 has 4800000 generated programs, not 60");
+    is_contradicted(|report| report.level = Some(4), "no level 4");
+    assert_eq!(LEAST_PROGRAMS, [Level::One, Level::Two, Level::Three].map(Level::programs));
 }
 
 #[test]

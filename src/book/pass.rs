@@ -8,7 +8,7 @@ use radcomp_spec::DecisionKind;
 use super::index::{Index, Kind};
 use super::site::Site;
 use crate::certificate::{BARE_ADMISSIBLE, Claim, LIMITS};
-use crate::certify::{Level, MOVED_ONE_IN, TRIPLE_ONE_IN};
+use crate::certify::{Level, MOVED_ONE_IN, ROUND};
 use crate::report::GradeRecord;
 
 /// What each verdict says, in the order of the design; Markdown.
@@ -63,7 +63,7 @@ pub(super) fn page(site: &mut Site<'_>, index: &mut Index) -> Result<(), String>
     let claim = Claim { programs: "N", pass: "N", delta: "δ", profile: "named in the report", band: "the grade" };
     let levels: Vec<_> = [(1, Level::One), (2, Level::Two)]
         .map(|(number, level)| {
-            let triples = level.programs() / TRIPLE_ONE_IN;
+            let triples = level.programs() / ROUND;
             BTreeMap::from([
                 ("number", number),
                 ("generated", level.programs()),

@@ -37,6 +37,7 @@ pub fn objections_to_report(report: &Report, whole: bool) -> Vec<String> {
         }
     };
     demand(report.level.is_some(), "the report is of no level");
+    demand(report.shard.is_none(), "the report is of a part of the campaign; `radcomp merge` puts the parts together");
     demand(report.red == 0, "the report is red");
     demand(report.causes.is_empty() && report.broken.is_empty(), "the report holds failures");
     demand(report.counts.pass > 0, "no program has passed");

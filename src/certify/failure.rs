@@ -5,41 +5,59 @@ use std::fmt;
 use radcomp_spec::profile::Profile;
 use radcomp_spec::{Alarm, Block};
 use rug::Rational;
+use serde::{Deserialize, Serialize};
 
-use super::safety::Safety;
+use super::plan::Place;
 use crate::gcode::{Listing, print_blocks};
 use crate::judge::{Difference, Divergence, Verdict};
 use crate::report::Case;
 
 /// A failed program.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
-    /// The program's name: a vector's, or `#` and the number of a generated program.
-    pub name: String,
-    /// The verdict.
-    pub verdict: Verdict,
+    /// Where it stands in its campaign.
+    pub place: Place,
+    /// What failures with one cause have in common: the clause, and the kind of difference.
+    pub group: String,
+    /// What is wrong, in words.
+    pub told: String,
     /// Its blocks.
     pub blocks: Vec<Block<Rational>>,
-    /// What the answer does to the part; of the smallest failure of a cause.
-    pub safety: Option<Safety>,
-    /// Program, answer and divergence, for the report; of the smallest failure of a cause.
-    pub case: Option<Box<Case>>,
+    /// What the answer does to the part, in words; of the smallest failure of a cause.
+    pub safety: Option<String>,
+    /// Program, answer and divergence, for the report.
+    pub case: Box<Case>,
+}
+
+/// A failed program in words.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Told {
+    /// Where it stands in its campaign.
+    pub place: Place,
+    /// Name, verdict and what is wrong.
+    pub text: String,
 }
 
 impl Failure {
-    /// A failure whose path has not been judged for safety.
-    pub fn new(name: String, verdict: Verdict, blocks: Vec<Block<Rational>>) -> Failure {
-        Failure { name, verdict, blocks, safety: None, case: None }
+    /// A failure whose path has not been judged for safety. `case` is that of the verdict.
+    pub fn new(place: Place, verdict: &Verdict, blocks: Vec<Block<Rational>>, case: Case) -> Failure {
+        let told = format!("{} {}", case.name, Words(verdict));
+        Failure { place, group: group(verdict), told, blocks, safety: None, case: Box::new(case) }
     }
 
-    /// What failures with one cause have in common: the clause, and the kind of difference.
-    pub fn group(&self) -> String {
-        match &self.verdict {
-            Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence) => {
-                format!("{} {}", divergence.clause, kind(&divergence.difference))
-            }
-            other => other.id().to_owned(),
-        }
+    /// The program's name: a vector's, a boundary's, or `#` and the number of a generated program.
+    pub fn name(&self) -> &str {
+        &self.case.name
+    }
+
+    /// The failure in words.
+    pub fn told(&self) -> Told {
+        Told { place: self.place, text: self.told.clone() }
+    }
+
+    /// Of two failures with one cause the one with the lower rank is told: fewer blocks, then the earlier one.
+    pub(super) fn rank(&self) -> (usize, Place) {
+        (self.blocks.len(), self.place)
     }
 
     /// The program as G-code with its tools; why not, if its profile cannot write it.
@@ -48,11 +66,38 @@ impl Failure {
     }
 }
 
+/// The cause that failures with such a verdict have in common: the clause, and the kind of difference.
+pub fn group(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence) => {
+            format!("{} {}", divergence.clause, kind(&divergence.difference))
+        }
+        other => other.id().to_owned(),
+    }
+}
+
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}", self.name, self.verdict.id())?;
-        match &self.verdict {
-            Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence) => write!(f, " {}", Told(divergence)),
+        f.write_str(&self.told)
+    }
+}
+
+impl fmt::Display for Told {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+/// A verdict in words.
+struct Words<'a>(&'a Verdict);
+
+impl fmt::Display for Words<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.0.id())?;
+        match self.0 {
+            Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence) => {
+                write!(f, " {}", Divergent(divergence))
+            }
             Verdict::Fault(fault) => write!(f, ": {}", fault.text()),
             Verdict::Exact | Verdict::Admissible(_) | Verdict::AdmissibleWithoutWitness(_) => Ok(()),
         }
@@ -60,9 +105,9 @@ impl fmt::Display for Failure {
 }
 
 /// A divergence in words.
-struct Told<'a>(&'a Divergence);
+struct Divergent<'a>(&'a Divergence);
 
-impl fmt::Display for Told<'_> {
+impl fmt::Display for Divergent<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let divergence = self.0;
         write!(f, "{} at N{}: ", divergence.clause, divergence.block + 1)?;

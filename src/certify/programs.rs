@@ -5,27 +5,26 @@ use radcomp_spec::Block;
 use radcomp_spec::profile::Profile;
 use rug::Rational;
 
-use super::campaign::{TRIPLE_ONE_IN, boundary_programs, vector_programs};
+use super::plan::Plan;
 use super::tally::Tally;
-use crate::boundary;
-use crate::generate::{self, Reach};
 use crate::judge::{Judged, Verdict};
 
-/// Every program that a campaign with this seed and so many generated programs judges, each with its name: vectors,
-/// boundary triples, generated programs. One seed gives the same programs on every machine.
+/// Every program that a campaign with this seed and so many generated programs judges, in their order, each with its name:
+/// vectors, then boundary triples among the generated programs. One seed gives the same programs on every machine.
 pub fn programs(profile: &Profile, seed: u64, count: u64) -> impl Iterator<Item = (String, Vec<Block<Rational>>)> {
-    let reach = Reach::of(profile);
-    let boundaries = boundary::all(seed, count / TRIPLE_ONE_IN, reach).flat_map(boundary_programs);
-    let generated = (0..count).map(move |number| (format!("#{number}"), generate::program(seed, number, reach)));
+    let plan = Plan::new(profile, seed, count);
+    let planned = (0..plan.units()).flat_map(move |unit| plan.unit(unit));
     // Several examples of one clause may share a name, and triples of one family do.
-    let named = vector_programs(profile).into_iter().chain(boundaries).enumerate();
-    named.map(|(index, (name, blocks))| (format!("{index}: {name}"), blocks)).chain(generated)
+    let mut named = 0..;
+    planned.map(move |planned| match planned.number {
+        Some(_) => (planned.name, planned.blocks),
+        None => (format!("{}: {}", named.next().unwrap_or(0), planned.name), planned.blocks),
+    })
 }
 
 /// How many vectors and programs on a decision's boundary a campaign judges beside the generated ones.
 pub fn named_programs(profile: &Profile, seed: u64, count: u64) -> u64 {
-    let triples = boundary::all(seed, count / TRIPLE_ONE_IN, Reach::of(profile));
-    vector_programs(profile).len() as u64 + triples.map(|triple| triple.programs.len() as u64).sum::<u64>()
+    Plan::new(profile, seed, count).named()
 }
 
 /// What a campaign with this seed and so many generated programs counts whatever the device: the model's part of a tally,

@@ -2,21 +2,20 @@
 
 use super::campaign::{Campaign, Outcome};
 use super::failure::Failure;
-use crate::report::{BrokenRecord, Cause, DeviceRecord, ExpectedFailure, Head, Id, Report};
+use crate::report::{Case, Cause, DeviceRecord, ExpectedFailure, Head, Id, Report};
 
 impl Outcome {
     /// The report of this campaign on a device. `level` is the level that was run, if one was.
     pub fn report(&self, device: &DeviceRecord, level: Option<u8>, campaign: &Campaign) -> Report {
         let outcome = self;
-        let causes =
-            outcome.groups.iter().map(|(name, count, smallest)| cause(name, *count, smallest, campaign, outcome));
-        let broken = outcome.broken.iter().map(|(number, broken)| BrokenRecord::new(*number, broken));
+        let causes = outcome.groups.iter().map(|(name, count, smallest)| cause(name, *count, smallest, campaign));
+        let broken = outcome.broken.iter().map(|(_, broken)| broken.clone());
         let head = Head {
             device,
             level,
             profile: &campaign.profile,
             seed: campaign.seed,
-            generated_programs: campaign.programs,
+            generated_programs: outcome.programs,
             budget: &campaign.budget,
         };
         let report = Report::new(head, &outcome.tally, causes.collect(), broken.collect(), outcome.cases.clone());
@@ -31,7 +30,7 @@ impl Outcome {
     }
 }
 
-fn cause(name: &str, programs: u64, smallest: &Failure, campaign: &Campaign, outcome: &Outcome) -> Cause {
+fn cause(name: &str, programs: u64, smallest: &Failure, campaign: &Campaign) -> Cause {
     let (program, tools) =
         smallest.listing(&campaign.profile).ok().map(|listing| (listing.program, listing.tool_table)).unzip();
     let cause = Cause {
@@ -41,14 +40,10 @@ fn cause(name: &str, programs: u64, smallest: &Failure, campaign: &Campaign, out
         clause: None,
         sentence: None,
         nearest: None,
-        safety: smallest.safety.as_ref().map(ToString::to_string),
+        safety: smallest.safety.clone(),
         program,
         tools,
         case: None,
     };
-    let kept = || outcome.cases.find(&smallest.name, smallest.verdict.id()).cloned();
-    match smallest.case.as_deref().cloned().or_else(kept) {
-        Some(case) => cause.told_by(case, &campaign.profile.parameters),
-        None => cause,
-    }
+    cause.told_by(Case::clone(&smallest.case), &campaign.profile.parameters)
 }

@@ -9,8 +9,9 @@ use radcomp_spec::{Block, DecisionKind};
 use rug::Rational;
 use serde::Serialize;
 
+use crate::device::DeviceFault;
 use crate::judge::{Judged, Verdict};
-use crate::report::{Bucket, Buckets};
+use crate::report::{Bucket, Buckets, Reasons};
 
 /// What a campaign has counted. Tallies of parts add up to the tally of the whole, in any order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -35,6 +36,8 @@ pub struct Tally {
     pub decisions: BTreeMap<&'static str, [u64; 3]>,
     /// Programs that take a decision of this kind on this side: negative, zero, positive margins.
     pub sides: BTreeMap<&'static str, [Buckets; 3]>,
+    /// What the device does not support, in its words.
+    pub reasons: Reasons,
     /// The greatest share of a program's band β that a witness took.
     pub greatest_share: f64,
 }
@@ -78,8 +81,10 @@ impl Tally {
         self.counts.count(bucket);
         self.blocks += blocks.len() as u64;
         *self.verdicts.entry(judged.verdict.id()).or_default() += 1;
-        if let Verdict::Admissible(witness) = &judged.verdict {
-            self.greatest_share = self.greatest_share.max(witness.beta / beta);
+        match &judged.verdict {
+            Verdict::Admissible(witness) => self.greatest_share = self.greatest_share.max(witness.beta / beta),
+            Verdict::Fault(DeviceFault::Unsupported(reason)) => self.reasons.add(reason),
+            _ => {}
         }
         for clause in self.add_run(&judged.exact) {
             let tally = self.clauses.entry(clause.id()).or_default();
@@ -126,6 +131,7 @@ impl Tally {
         self.moved += other.moved;
         self.broken += other.broken;
         self.greatest_share = self.greatest_share.max(other.greatest_share);
+        self.reasons.merge(other.reasons);
         for (verdict, count) in other.verdicts {
             *self.verdicts.entry(verdict).or_default() += count;
         }

@@ -2,25 +2,27 @@
 
 use std::collections::HashMap;
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read, Write};
+use std::io::{self, BufRead, BufReader, Read};
 
 use clap::Args;
-use radcomp::certify::{Campaign, Recorded, Waivers, programs};
+use radcomp::certify::{Recorded, programs};
 use radcomp::device::wire::Reply;
 use radcomp::device::{Answer, DeviceFault};
-use radcomp::judge::{Budget, Grade};
+use radcomp::report::{DeviceRecord, FileRecord, sha256_of_file};
 
 use super::failure::{Failure, Verdict};
-use super::{certify, options, terminal};
+use super::judging::{Judging, Outputs};
+use super::terminal;
 
 /// Judge the answers to the requests of `radcomp gen`
 #[derive(Debug, Args)]
 #[command(after_help = "\
 A program without an answer has failed. Nothing can be asked again, so no program
-is moved, mirrored or made smaller.
+is moved, mirrored or made smaller, and the report is of no level.
 
 Example:
   radcomp gen --profile seed-mill | my-control | radcomp check --profile seed-mill
+  radcomp check --profile seed-mill answers.jsonl --html report.html --waivers waivers.toml
 
 Exit status: 0 no red verdict; 1 red verdicts; 2 wrong usage or input.")]
 pub struct Check {
@@ -28,25 +30,23 @@ pub struct Check {
     #[arg(value_name = "FILE", default_value = "-")]
     file: String,
 
-    /// The control that the requests were made for
-    #[arg(long, short, value_name = "NAME|FILE.toml")]
-    profile: String,
+    #[command(flatten)]
+    judging: Judging,
 
     /// How many generated programs were asked for
     #[arg(long, value_name = "COUNT", default_value = "24000")]
     programs: u64,
 
-    /// The seed that the requests were made with
-    #[arg(long, default_value = "1")]
-    seed: u64,
+    /// The name of the device that answered, for the report; one that can be asked can be replayed
+    #[arg(long, value_name = "NAME", default_value = "recorded")]
+    device: String,
 
-    /// How far a point may lie from where its branch puts it, in millimetres
-    #[arg(long, value_name = "MM", default_value = "0.000001", value_parser = certify::delta)]
-    delta: f64,
+    /// The device's version, for the report
+    #[arg(long, value_name = "VERSION")]
+    device_version: Option<String>,
 
-    /// Do not fail for programs that the device says it does not support
-    #[arg(long)]
-    allow_unsupported: bool,
+    #[command(flatten)]
+    outputs: Outputs,
 }
 
 /// The most bytes of one answer.
@@ -55,41 +55,41 @@ const MOST_BYTES: u64 = 16 << 20;
 impl Check {
     /// Judges the answers.
     pub fn execute(&self) -> Result<Verdict, Failure> {
-        let profile = options::profile(&self.profile)?;
-        let increment = profile.machine.least_increment;
-        let campaign = Campaign {
-            seed: self.seed,
-            programs: self.programs,
-            budget: Budget {
-                grade: Grade::Binary64,
-                least_increment: f64::from(increment.numerator) / f64::from(increment.denominator),
-                delta: self.delta,
-            },
-            waivers: Waivers::default(),
-            threads: 1,
-            profile,
-        };
+        let campaign = self.judging.campaign(self.programs, 1)?;
         let mut answers = self.answers()?;
         let mut recorded = Recorded::new(&campaign);
-        for (name, blocks) in programs(&campaign.profile, self.seed, self.programs) {
+        for (name, blocks) in programs(&campaign.profile, campaign.seed, campaign.programs) {
             let missing = || Err(DeviceFault::NoAnswer("no line has this id".to_owned()));
             let answer = match answers.remove(&name) {
                 None => missing(),
                 Some(answer) => Reply { id: String::new(), answer }.within(blocks.len()).answer,
             };
-            recorded.judge(&name, blocks, answer);
+            recorded.judge(&name, &blocks, answer);
         }
         let outcome = recorded.outcome();
-        let mut out = terminal::output();
-        certify::print(&mut out, &outcome, &campaign.profile, self.allow_unsupported)?;
-        out.flush()?;
+        let report = outcome.report(&self.device()?, None, &campaign);
+        let file = self.outputs.report.as_deref();
+        let verdict = self.outputs.pages.finish(&mut terminal::output(), &outcome, &campaign, &report, file);
         if let Some(id) = answers.keys().min() {
             let count = answers.len();
             return Err(Failure::Input(format!(
                 "{count} answers are for programs that were not asked, such as {id:?}; were the requests made with the same profile, seed and number of programs?"
             )));
         }
-        Ok(if certify::is_pass(&outcome, self.allow_unsupported) { Verdict::Green } else { Verdict::Red })
+        verdict
+    }
+
+    /// The device, by its name and the file of its answers.
+    fn device(&self) -> Result<DeviceRecord, Failure> {
+        let unreadable = |reason: io::Error| Failure::Input(format!("{} cannot be read: {reason}", self.file));
+        let files = match &*self.file {
+            "-" => Vec::new(),
+            file => {
+                let sha256 = sha256_of_file(file.as_ref()).map_err(unreadable)?;
+                vec![FileRecord { file: file.to_owned(), sha256 }]
+            }
+        };
+        Ok(DeviceRecord { name: self.device.clone(), version: self.device_version.clone(), files })
     }
 
     /// Every answer by its id.

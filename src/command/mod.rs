@@ -15,7 +15,9 @@ mod evidence;
 mod explain;
 mod failure;
 mod r#gen;
+mod judging;
 mod ledger;
+mod merge;
 mod nearest;
 mod options;
 mod ping;
@@ -24,6 +26,7 @@ mod profiles;
 mod program;
 mod promote;
 mod replay;
+mod results;
 mod run;
 mod safety;
 mod serve;
@@ -75,6 +78,7 @@ enum Command {
     DeviceKit(device_kit::DeviceKit),
     Gen(r#gen::Gen),
     Check(check::Check),
+    Merge(merge::Merge),
     Serve(serve::Serve),
     Answer(answer::Answer),
     VerifyWitness(verify_witness::VerifyWitness),
@@ -102,6 +106,7 @@ pub fn main() -> ExitCode {
         Command::DeviceKit(command) => command.execute(),
         Command::Gen(command) => command.execute(),
         Command::Check(command) => command.execute(),
+        Command::Merge(command) => command.execute(),
         Command::Serve(command) => command.execute(),
         Command::Answer(command) => command.execute(),
         Command::VerifyWitness(command) => command.execute(),

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use radcomp::certify::Failure as Failed;
+use radcomp::certify::group;
 use radcomp::device::Builtin;
 use radcomp::edited::Edited;
 use radcomp::gcode::print_blocks;
@@ -86,8 +86,7 @@ fn verdict(profile: &Profile, blocks: &[Block<Rational>]) -> Judgement {
 fn smaller(profile: &Profile, blocks: Vec<Block<Rational>>) -> Vec<Block<Rational>> {
     let failed = |blocks: &[Block<Rational>]| {
         let verdict = verdict(profile, blocks);
-        let failed = Failed::new(String::new(), verdict, blocks.to_vec());
-        (failed.verdict.is_red() && failed.listing(profile).is_ok()).then(|| failed.group())
+        (verdict.is_red() && print_blocks(blocks, profile).is_ok()).then(|| group(&verdict))
     };
     match failed(&blocks) {
         None => blocks,

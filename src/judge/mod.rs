@@ -18,5 +18,5 @@ pub use compare::{Difference, Divergence};
 pub use fork::Flip;
 pub(crate) use stroke::Tolerance;
 pub use stroke::{Shape, Stroke};
-pub use verdict::{Judged, Verdict, judge, judge_answer};
+pub use verdict::{Judged, VERDICTS, Verdict, judge, judge_answer};
 pub use witness::Witness;

@@ -29,6 +29,20 @@ pub enum Verdict {
     Fault(DeviceFault),
 }
 
+/// The ids of all verdicts.
+pub const VERDICTS: [&str; 10] = [
+    "exact",
+    "admissible",
+    "admissible-without-witness",
+    "inadmissible",
+    "fork-limit",
+    "crash",
+    "timeout",
+    "no-answer",
+    "garbled",
+    "unsupported",
+];
+
 impl Verdict {
     /// Whether the device has failed on this program.
     pub fn is_red(&self) -> bool {

@@ -10,6 +10,7 @@ use super::answer::{AlarmRecord, AnswerRecord};
 use super::block::BlockRecord;
 use super::number::Binary;
 use super::word::Id;
+use crate::certify::Place;
 use crate::judge::{Budget, Difference, Divergence, Flip, Judged, Verdict};
 
 /// The most cases of failed programs in one report.
@@ -132,41 +133,49 @@ pub fn case(name: &str, blocks: &[Block<Rational>], judged: &Judged, budget: &Bu
     Some(case)
 }
 
-/// The cases of a campaign: the first [`MOST_RED_CASES`] failed ones and the first [`MOST_CASES`] others.
-#[derive(Clone, Debug, Default)]
+/// The cases of a campaign: the first [`MOST_RED_CASES`] failed ones and the first [`MOST_CASES`] others, each with the
+/// place of its program.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Cases {
-    kept: Vec<Case>,
-    red: usize,
+    kept: Vec<(Place, Case)>,
     left_out: u64,
 }
 
 impl Cases {
-    /// Adds a case, or counts it if there are enough of its kind.
+    /// Adds a case that comes after the others.
     pub fn add(&mut self, case: Case) {
-        let is_red = !case.verdict.starts_with("admissible");
-        let room = if is_red { self.red < MOST_RED_CASES } else { self.kept.len() - self.red < MOST_CASES };
-        if room {
-            self.red += usize::from(is_red);
-            self.kept.push(case);
+        let Place(unit, index) = self.kept.last().map_or(Place::default(), |(place, _)| *place);
+        self.add_at(Place(unit, index + 1), case);
+    }
+
+    /// Adds the case of the program at a place after those of the others, or counts it if there are enough of its kind.
+    pub fn add_at(&mut self, place: Place, case: Case) {
+        let of_its_kind = self.kept.iter().filter(|(_, kept)| is_red(kept) == is_red(&case)).count();
+        if of_its_kind < most(&case) {
+            self.kept.push((place, case));
         } else {
             self.left_out += 1;
         }
     }
 
-    /// Adds the cases of a later part.
-    pub fn merge(&mut self, later: Cases) {
-        self.left_out += later.left_out;
-        self.extend(later.kept);
-    }
-
-    /// The case of the program of this name with this verdict, if it is kept.
-    pub fn find(&self, name: &str, verdict: &str) -> Option<&Case> {
-        self.kept.iter().find(|case| case.name == name && case.verdict == verdict)
+    /// Adds the cases of another part.
+    pub fn merge(&mut self, other: Cases) {
+        self.left_out += other.left_out;
+        self.kept.extend(other.kept);
+        self.kept.sort_by_key(|(place, _)| *place);
+        let (mut red, mut others, before) = (0, 0, self.kept.len());
+        self.kept.retain(|(_, case)| {
+            let count = if is_red(case) { &mut red } else { &mut others };
+            *count += 1;
+            *count <= most(case)
+        });
+        self.left_out += (before - self.kept.len()) as u64;
     }
 
     /// The cases kept, and how many were not.
     pub fn into_parts(self) -> (Vec<Case>, u64) {
-        (self.kept, self.left_out)
+        (self.kept.into_iter().map(|(_, case)| case).collect(), self.left_out)
     }
 }
 
@@ -174,6 +183,14 @@ impl Extend<Case> for Cases {
     fn extend<I: IntoIterator<Item = Case>>(&mut self, cases: I) {
         cases.into_iter().for_each(|case| self.add(case));
     }
+}
+
+fn is_red(case: &Case) -> bool {
+    !case.verdict.starts_with("admissible")
+}
+
+fn most(case: &Case) -> usize {
+    if is_red(case) { MOST_RED_CASES } else { MOST_CASES }
 }
 
 impl From<&Flip> for FlipRecord {

@@ -19,7 +19,7 @@ use super::parameters::ParametersRecord;
 use super::profile::profile_text;
 use super::tally::TallyRecord;
 use super::word::Id;
-use crate::certify::Tally;
+use crate::certify::{LedgerRecord, Tally};
 use crate::judge::{Budget, Grade};
 
 /// The number of this format; it changes when a reader of the old one would misread the new one.
@@ -65,6 +65,9 @@ pub struct Report {
     pub seed: u64,
     /// How many of them.
     pub generated_programs: u64,
+    /// The part of the campaign that was run, if not the whole was: its counts and cases are of that part.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shard: Option<ShardRecord>,
     /// How wide the band around a decision is.
     pub grade: GradeRecord,
     /// How far a point may lie from where its branch puts it.
@@ -109,6 +112,18 @@ impl GradeRecord {
             GradeRecord::Resolution => "half the least input increment",
         }
     }
+}
+
+/// A part of a campaign, and what `radcomp merge` puts together with the other parts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ShardRecord {
+    /// Which part, from 1.
+    pub number: u64,
+    /// Of how many.
+    pub of: u64,
+    /// What its programs gave.
+    pub ledger: LedgerRecord,
 }
 
 /// A waiver that was given, and what it covered.
@@ -166,6 +181,7 @@ impl Report {
             level: head.level,
             seed: head.seed,
             generated_programs: head.generated_programs,
+            shard: None,
             grade: match head.budget.grade {
                 Grade::Binary64 => GradeRecord::Binary64,
                 Grade::Resolution => GradeRecord::Resolution,

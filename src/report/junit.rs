@@ -3,7 +3,9 @@
 use quick_junit::{NonSuccessKind, Report as Suites, TestCase, TestCaseStatus, TestSuite};
 use radcomp_spec::clause;
 
+use super::cause::Cause;
 use super::document::Report;
+use super::replay::replay;
 use super::tally::ClauseTallyRecord;
 
 /// The verdicts without an answer, each a test case of its own.
@@ -11,17 +13,17 @@ const FAULTS: [&str; 4] = ["crash", "timeout", "no-answer", "garbled"];
 
 /// The report as JUnit XML: a test case for each clause, for each way of giving no answer, and for the relations between
 /// moved programs. A clause that no program reaches, that the device does not support, or all of whose failures are
-/// expected is skipped, with the reason.
+/// expected is skipped, with the reason. `file` is the report's file name, for the commands that it tells.
 ///
 /// # Errors
 ///
 /// If the XML cannot be written, in words.
-pub fn junit(report: &Report) -> Result<String, String> {
+pub fn junit(report: &Report, file: &str) -> Result<String, String> {
     let mut suites = Suites::new(format!("radcomp certify {}, profile {}", report.device, report.profile));
     let mut clauses = TestSuite::new("clauses");
     for (clause, title) in clause::ALL {
         let tally = report.tally.clauses.get(clause.id()).cloned().unwrap_or_default();
-        let mut case = TestCase::new(format!("{} {title}", clause.id()), status(report, clause.id(), &tally));
+        let mut case = TestCase::new(format!("{} {title}", clause.id()), status(report, file, clause.id(), &tally));
         case.set_classname(format!("radcomp.{}", report.profile));
         clauses.add_test_case(case);
     }
@@ -29,7 +31,7 @@ pub fn junit(report: &Report) -> Result<String, String> {
     let mut answers = TestSuite::new("answers");
     for fault in FAULTS {
         let count = report.tally.verdicts.get(fault).copied().unwrap_or_default();
-        let told = report.causes.iter().find(|cause| cause.cause == fault).map(|cause| cause.smallest.clone());
+        let told = report.causes.iter().find(|cause| cause.cause == fault).map(|cause| told(cause, file));
         let status = if count == 0 { passed() } else { failed(&format!("{count} programs"), told) };
         let mut case = TestCase::new(format!("no {fault}"), status);
         case.set_classname(format!("radcomp.{}", report.profile));
@@ -48,17 +50,10 @@ pub fn junit(report: &Report) -> Result<String, String> {
     suites.to_string().map_err(|error| error.to_string())
 }
 
-fn status(report: &Report, id: &str, tally: &ClauseTallyRecord) -> TestCaseStatus {
+fn status(report: &Report, file: &str, id: &str, tally: &ClauseTallyRecord) -> TestCaseStatus {
     if tally.failed > 0 {
         let causes = report.causes.iter().filter(|cause| cause.clause.is_some_and(|clause| clause.0.id() == id));
-        let told = causes.map(|cause| {
-            let program = cause.program.as_deref().unwrap_or_default();
-            let [sentence, safety] = [&cause.sentence, &cause.safety].map(|text| text.as_deref().unwrap_or_default());
-            format!(
-                "{} ({} programs)\n{}\n{sentence}\n{safety}\n{program}",
-                cause.cause, cause.programs, cause.smallest
-            )
-        });
+        let told = causes.map(|cause| told(cause, file));
         let told = told.collect::<Vec<_>>().join("\n");
         return failed(&format!("{} of {} programs", tally.failed, tally.programs), Some(told));
     }
@@ -72,6 +67,20 @@ fn status(report: &Report, id: &str, tally: &ClauseTallyRecord) -> TestCaseStatu
         (programs, unsupported) if programs == unsupported => skipped("not supported"),
         _ => passed(),
     }
+}
+
+/// A cause: what differs, the clause's sentence, the nearest decision, the safety verdict, the program, how to replay it.
+fn told(cause: &Cause, file: &str) -> String {
+    let mut lines = vec![format!("{} ({} programs)", cause.cause, cause.programs), cause.smallest.clone()];
+    lines.extend(cause.sentence.clone());
+    if let Some(nearest) = &cause.nearest {
+        let (decision, block, margin) = (nearest.decision.0.id(), nearest.block + 1, nearest.margin_mm.text());
+        lines.push(format!("nearest decision: {decision} at N{block}, margin {margin} mm"));
+    }
+    lines.push(format!("safety: {}", cause.safety.as_deref().unwrap_or("no path to judge")));
+    lines.extend(cause.program.clone());
+    lines.push(format!("replay: {}", replay(file, &cause.cause)));
+    lines.join("\n")
 }
 
 fn passed() -> TestCaseStatus {

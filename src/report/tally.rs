@@ -2,10 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use radcomp_spec::{DecisionKind, clause};
 use serde::{Deserialize, Serialize};
 
 use super::buckets::Buckets;
-use crate::certify::Tally;
+use super::reasons::Reasons;
+use crate::certify::{ClauseTally, Tally};
+use crate::judge::VERDICTS;
 
 /// What a campaign has counted.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -29,6 +32,9 @@ pub struct TallyRecord {
     pub decisions: BTreeMap<String, [u64; 3]>,
     /// Programs that take a decision of this kind on this side: negative, zero, positive margins.
     pub sides: BTreeMap<String, [Buckets; 3]>,
+    /// What the device does not support, in its words, by programs; left out if there is nothing.
+    #[serde(default, skip_serializing_if = "Reasons::is_empty")]
+    pub unsupported: Reasons,
 }
 
 /// Counts for one clause.
@@ -81,6 +87,44 @@ impl From<&Tally> for TallyRecord {
             broken: tally.broken,
             decisions: tally.decisions.iter().map(|(id, counts)| ((*id).to_owned(), *counts)).collect(),
             sides: tally.sides.iter().map(|(id, counts)| ((*id).to_owned(), *counts)).collect(),
+            unsupported: tally.reasons.clone(),
         }
+    }
+}
+
+impl TallyRecord {
+    /// The tally that this is the record of; none if it names a clause, a decision or a verdict that there is not.
+    pub fn tally(&self, counts: Buckets, greatest_share: f64) -> Option<Tally> {
+        let clause = |(id, part): (&String, &ClauseTallyRecord)| {
+            let part = ClauseTally {
+                programs: part.programs,
+                elements: part.elements,
+                alarms: part.alarms,
+                decisions: part.decisions,
+                passed: part.passed,
+                failed: part.failed,
+                expected_failures: part.expected_failures,
+                unsupported: part.unsupported,
+            };
+            Some((clause::ALL.iter().map(|(clause, _)| clause.id()).find(|known| known == id)?, part))
+        };
+        let kind = |id: &String| DecisionKind::ALL.iter().map(|kind| kind.id()).find(|known| known == id);
+        let verdict = |id: &String| VERDICTS.into_iter().find(|known| known == id);
+        let decisions = self.decisions.iter().map(|(id, counts)| Some((kind(id)?, *counts)));
+        let sides = self.sides.iter().map(|(id, counts)| Some((kind(id)?, *counts)));
+        Some(Tally {
+            programs: self.programs,
+            counts,
+            blocks: self.blocks,
+            corners: self.corners,
+            verdicts: self.verdicts.iter().map(|(id, count)| Some((verdict(id)?, *count))).collect::<Option<_>>()?,
+            clauses: self.clauses.iter().map(clause).collect::<Option<_>>()?,
+            moved: self.moved,
+            broken: self.broken,
+            decisions: decisions.collect::<Option<_>>()?,
+            sides: sides.collect::<Option<_>>()?,
+            reasons: self.unsupported.clone(),
+            greatest_share,
+        })
     }
 }

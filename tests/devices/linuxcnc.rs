@@ -19,7 +19,7 @@ use rug::Rational;
 use super::{limits, repository};
 
 /// The interpreter in `$RS274`, or Debian's.
-static RS274: LazyLock<OsString> = LazyLock::new(|| {
+pub static RS274: LazyLock<OsString> = LazyLock::new(|| {
     std::env::var_os("RS274").unwrap_or_else(|| {
         let output = Command::new(repository("scripts/linuxcnc")).output().expect("scripts/linuxcnc runs");
         assert!(output.status.success(), "no rs274: {}", String::from_utf8_lossy(&output.stderr));
@@ -97,6 +97,16 @@ fn the_right_side_is_the_mirror_image() {
             "4 line 40 -10",
         ],
     );
+}
+
+#[test]
+fn a_negative_radius_is_the_other_side() {
+    let profile = Profile::builtin("seed-mill").unwrap();
+    let tools = Tools::empty().with_radius(1, Rational::from(-2));
+    let program = read("program", &b"G41 D1 G01 X10 Y0\nX20\nY-10\nX30\nG40 X40\n"[..], &profile, &tools).unwrap();
+    let blocks: Vec<_> = program.blocks.into_iter().map(|read| read.block).collect();
+    let answer = device("seed-mill").answer(&profile.parameters, &blocks).unwrap();
+    assert_eq!(told(&answer)[..2], ["0 line 10 -2", "1 line 18 -2"]);
 }
 
 #[test]
@@ -180,16 +190,25 @@ fn errors_are_alarms_at_their_block() {
         3,
         AlarmKind::ArcAtCancel,
     );
+    // A line and an arc whose offsets do not meet, told as of an arc before.
+    let narrow = "G42 D2 G01 X6 Y-8\nX9 Y-12\nG02 X7.85 Y-11.42 R-1.001\nG40 G01 X9 Y0\n";
+    stops(narrow, &["0 line 5.2 -8.6"], 2, AlarmKind::NoIntersection);
+    // The last move is looked at when the program ends.
+    stops("G41 D1 G01 X10 Y0\nX20\nY1\n", &["0 line 10 2", "1 line 18 2"], 2, AlarmKind::ReversedLine);
     // A step of 1 mm is too short for a tool of 2 mm: it would run backwards.
     stops("G41 D1 G01 X10 Y0\nX11\nY20\nX30\n", &["0 line 10 2"], 1, AlarmKind::ReversedLine);
 }
 
 #[test]
+fn another_radius_in_mode_is_refused() {
+    stops("G41 D1 G01 X10 Y0\nX20\nD2 X30\nX40\n", &["0 line 10 2"], 2, AlarmKind::OffsetChangedInMode);
+    runs("G41 D1 G01 X10 Y0\nG40 D2 X20\nG41 X30\n", &["0 line 10 2", "1 line 20 0", "2 line 30 1"]);
+}
+
+#[test]
 fn what_it_has_no_words_for_is_not_asked() {
-    for program in ["G41 D1 G01 X10 Y0\nI1 J0\nX20\n", "G41 D1 G01 X10 Y0\nD2 X20\nG40 X30\n"] {
-        let fault = answer(program).unwrap_err();
-        assert_eq!(fault.id(), "unsupported", "{fault}");
-    }
+    let fault = answer("G41 D1 G01 X10 Y0\nI1 J0\nX20\n").unwrap_err();
+    assert_eq!(fault.id(), "unsupported", "{fault}");
 }
 
 #[test]

@@ -10,11 +10,11 @@ use crate::campaigns::{faulty, sound};
 
 #[test]
 fn junit_tells_what_failed() {
-    let xml = junit(faulty()).unwrap();
+    let xml = junit(faulty(), "r.json").unwrap();
     assert!(xml.starts_with("<?xml"), "{xml}");
     assert!(xml.contains("name=\"TRC-CORNER-08 ") && xml.contains("<failure message="), "{xml}");
     assert!(xml.contains("name=\"no crash\"") && !xml.contains("<script>"), "{xml}");
-    let green = junit(sound()).unwrap();
+    let green = junit(sound(), "r.json").unwrap();
     assert!(green.contains("failures=\"0\"") && !green.contains("<failure"), "{green}");
     assert!(green.contains("no program reaches it"), "{green}");
 }

@@ -14,7 +14,7 @@ fn a_waived_failure_is_an_expected_one() {
     assert_eq!(report.expected_failures[0].programs, report.counts.expected_failure);
     assert!(report.causes.iter().all(|cause| !cause.cause.starts_with("TRC-CORNER-08")));
     assert_eq!(verify(&report, |_, _| {}).contradictions, Vec::<String>::new());
-    assert!(radcomp::report::junit(&report).unwrap().contains("rounded off"));
+    assert!(radcomp::report::junit(&report, "r.json").unwrap().contains("rounded off"));
 }
 
 #[test]

@@ -27,6 +27,9 @@ pub(super) struct Transcript {
 /// A point's distance from its start at which an arc is a whole turn, in millimetres: what rounding leaves of none.
 const NO_DISTANCE: f64 = 1e-9;
 
+/// The line that ends a program.
+pub(super) const END_OF_PROGRAM: &str = "m2";
+
 impl Transcript {
     /// The answer to a program of these blocks, at its beginning.
     pub(super) fn new(plane: Plane, places: Vec<Place>) -> Self {
@@ -40,12 +43,13 @@ impl Transcript {
         if self.fault.is_some() || self.read.is_some() {
             return;
         }
+        let end = self.places.len() + 1;
         match (call(line), &mut self.error) {
             (Some(_), Some(_)) => {}
             (Some((name, arguments)), None) => self.call(name, arguments),
             (None, None) => self.error = Some(line.to_owned()),
-            // The source of the line that was being read comes after the message.
-            (None, Some(message)) => match number(line) {
+            // The source of the line that was being read comes after the message: at the end of the program, M2.
+            (None, Some(message)) => match number(line).or_else(|| (line == END_OF_PROGRAM).then_some(end)) {
                 Some(number) => self.read = number.checked_sub(1),
                 None => {
                     message.push(' ');
@@ -167,17 +171,24 @@ fn alarm(text: &str, read: usize, places: &[Place]) -> Result<Alarm, DeviceFault
         || DeviceFault::Garbled(format!("rs274 stops at N{} with an error that is no alarm here: {text}", read + 1));
     let message = TABLE.message.iter().find(|message| text.starts_with(&message.text)).ok_or_else(unknown)?;
     let kind = AlarmKind::ALL.iter().find(|kind| kind.id() == message.alarm).ok_or_else(unknown)?;
-    // One message for either code.
-    let same_code = places.get(read).is_some_and(|place| place.same_code);
+    // One message for either code, and one for either change of a radius.
+    let place = places.get(read);
     let kind = match kind {
-        AlarmKind::SideChangeForbidden if same_code => &AlarmKind::SameCode,
+        AlarmKind::SideChangeForbidden if place.is_some_and(|place| place.same_code) => &AlarmKind::SameCode,
+        AlarmKind::OffsetChangedInMode if place.is_some_and(|place| place.other_sign) => {
+            &AlarmKind::SideChangeForbidden
+        }
         kind => kind,
     };
-    let block = match message.block {
-        Where::Read => read,
-        Where::Before => {
-            (0..read).rev().find(|block| places.get(*block).is_some_and(|place| place.moves)).unwrap_or(read)
+    let before = (0..read).rev().find(|block| places.get(*block).is_some_and(|place| place.moves));
+    let is_arc = before.is_none_or(|block| places[block].arc);
+    let block = match (message.block, kind) {
+        // Of a line before it this is said when the arc's offset does not meet the line's.
+        (Where::Before, AlarmKind::ReversedArc) if !is_arc => {
+            return Ok(Alarm { block: read, kind: AlarmKind::NoIntersection });
         }
+        (Where::Read, _) => read,
+        (Where::Before, _) => before.unwrap_or(read),
     };
     Ok(Alarm { block, kind: *kind })
 }

@@ -18,10 +18,14 @@ use crate::device::DeviceFault;
 pub(super) struct Place {
     /// The block moves in the plane.
     pub moves: bool,
+    /// It is an arc.
+    pub arc: bool,
     /// It is an arc that ends where it starts.
     pub whole_turn: bool,
     /// It gives the compensation code that is in force already.
     pub same_code: bool,
+    /// It puts the radius in force with the other sign, without a compensation code.
+    pub other_sign: bool,
 }
 
 /// The line that comes before a program's answer, and the one after it, without the id.
@@ -48,10 +52,12 @@ pub(super) fn program(id: &str, plane: Plane, blocks: &[Block<Rational>]) -> Res
         // Writing to a string cannot fail.
         let _ = write!(text, "n{number}");
         let side = state.side;
+        let negated = Rational::from(-&state.radius);
+        let other_sign = side.is_some() && block.compensation.is_none() && block.radius.as_ref() == Some(&negated);
         state.codes(block, &mut text)?;
         let same_code = side.is_some_and(|side| block.compensation == Some(Compensation::On(side)));
         let point = |[first, second]: &[Rational; 2]| Ok(format!(" {a}{} {b}{}", decimal(first)?, decimal(second)?));
-        let mut place = Place { moves: false, whole_turn: false, same_code };
+        let mut place = Place { moves: false, arc: false, whole_turn: false, same_code, other_sign };
         match &block.movement {
             // A dwell of no time is a block without movement.
             Movement::None if block.compensation.is_none() => text.push_str(" g4 p0"),
@@ -77,7 +83,7 @@ pub(super) fn program(id: &str, plane: Plane, blocks: &[Block<Rational>]) -> Res
                         let _ = write!(text, " r{}", decimal(radius)?);
                     }
                 }
-                place = Place { moves: true, whole_turn: *end == state.at, same_code };
+                place = Place { moves: true, arc: true, whole_turn: *end == state.at, ..place };
                 state.at.clone_from(end);
             }
         }
@@ -98,8 +104,11 @@ struct State {
 
 impl State {
     fn codes(&mut self, block: &Block<Rational>, text: &mut String) -> Result<(), DeviceFault> {
-        if block.stops_look_ahead || block.not_in_mode.is_some() {
-            return unsupported("codes that stop reading ahead or are not for offset mode");
+        if block.stops_look_ahead {
+            return unsupported("codes that stop reading ahead");
+        }
+        if block.not_in_mode.is_some() {
+            return unsupported("codes that are not for offset mode");
         }
         if block.vector.is_some() {
             return unsupported("I, J and K beside a compensation code");
@@ -108,12 +117,9 @@ impl State {
             return unsupported("a choice of the outer corner");
         }
         if let Some(radius) = &block.radius {
-            if radius.is_negative() {
-                return unsupported("a negative radius");
-            }
-            if self.side.is_some() && *radius != self.radius && !matches!(block.compensation, Some(Compensation::On(_)))
-            {
-                return unsupported("another radius while compensation is on");
+            // The interpreter takes a D word with G41 and G42 alone. Without them it is told where it matters.
+            if self.side.is_some() && *radius != self.radius && block.compensation.is_none() {
+                let _ = write!(text, " d{}", decimal(&Rational::from(radius * 2))?);
             }
             self.radius.clone_from(radius);
         }
@@ -135,7 +141,7 @@ impl State {
 }
 
 fn decimal(value: &Rational) -> Result<String, DeviceFault> {
-    format_decimal(value).ok_or_else(|| DeviceFault::Unsupported(format!("not asked: {value} has no finite decimal")))
+    format_decimal(value).ok_or_else(|| DeviceFault::Unsupported("numbers without a finite decimal".to_owned()))
 }
 
 fn unsupported<T>(what: &str) -> Result<T, DeviceFault> {

@@ -7,6 +7,7 @@ use radcomp_spec::{Parameters, clause};
 use serde::Serialize;
 
 use super::document::Report;
+use super::replay::replay;
 use super::tally::ClauseTallyRecord;
 use crate::explain::{Axes, first_sentence};
 use crate::plot::comparison;
@@ -49,6 +50,8 @@ pub fn page(report: &Report, file: &str) -> Result<String, String> {
             template.render(context! {
                 report, rows, chapters, file,
                 pictures => pictures(report),
+                replays => report.causes.iter().map(|cause| replay(file, &cause.cause)).collect::<Vec<_>>(),
+                reasons => report.tally.unsupported.by_frequency(),
                 style => include_str!("report.css"),
                 script => include_str!("report.js"),
                 verdict => verdict(report),
