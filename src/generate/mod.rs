@@ -98,7 +98,7 @@ impl Reach {
     }
 
     /// I, J, K beside G40 mean something ([TRC-CANCEL-08]).
-    fn vectors_at_cancel(&self) -> bool {
+    pub fn vectors_at_cancel(&self) -> bool {
         self.parameters.cancel_vector != CancelVector::Refused
     }
 
