@@ -86,8 +86,9 @@ async function run() {
     const asked = state();
     try {
       const answer = await (await post("/run", { ...asked, safety: true })).json();
+      const changed = answered?.program !== asked.program;
       answered = asked;
-      show(answer);
+      show(answer, changed);
     } catch (problem) {
       failed(problem);
     }
@@ -109,12 +110,12 @@ function changed(wait = 0) {
 
 // What is answered.
 
-function show(answer) {
+function show(answer, changed) {
   outcome = answer;
   document.body.classList.remove("stale");
   const { refused } = answer;
   fault(refused);
-  drawing.show(answer, !fresh);
+  drawing.show(answer, { other: fresh, changed });
   story.show(answer);
   id("count").textContent = `${answer.blocks.length} blocks`;
   legend(answer);
