@@ -14,7 +14,7 @@ use super::{Asked, MOST_BLOCKS, Trouble};
 ///
 /// # Errors
 ///
-/// As [`run`]; also a program whose blocks, times the radii, are more than [`MOST_BLOCKS`].
+/// As [`run`](super::run); also a program whose blocks, times the radii, are more than [`MOST_BLOCKS`].
 pub(super) fn radii(asked: &Asked, patience: &Patience) -> Result<String, Trouble> {
     let profile = asked.control()?;
     let mut answers = Vec::new();

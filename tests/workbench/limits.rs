@@ -182,7 +182,7 @@ fn work_that_nobody_waits_for_is_given_up_and_work_beyond_its_time_is_told() {
     let server = Server::start(&["--time-limit", "1"]);
     // Exact closed forms of ten thousand corners of arcs whose centres are roots take far longer than a second.
     let arc = |number: usize| format!("G02 X{}.1 Y0.{:03} R50.3\n", number * 3, number * 370 % 997);
-    let program = format!("G41 D1 G01 X0 Y0\n{}", (1..9_990).map(arc).collect::<String>());
+    let program = format!("G41 D1 G01 X1 Y1\n{}", (1..9_990).map(arc).collect::<String>());
     let request = json!({ "program": program, "profile": "seed-mill", "offset": 1, "radius": "0.25" }).to_string();
     let answer = server.post("/path", request.as_bytes());
     assert_eq!(answer.status, 503, "{}", &answer.body[..answer.body.len().min(300)]);

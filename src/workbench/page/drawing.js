@@ -67,6 +67,10 @@ function bounds(outcome, moved) {
   return [left - edge, -high - edge, right - left + 2 * edge, high - low + 2 * edge];
 }
 
+/** Whether a box lies in another. */
+const within = ([x, y, wide, tall], [left, top, width, height]) =>
+  x >= left && y >= top && x + wide <= left + width && y + tall <= top + height;
+
 export class Drawing {
   /** `choose` is called with the block that a person points at. */
   constructor(view, choose) {
@@ -75,7 +79,8 @@ export class Drawing {
     view.append(this.svg);
     this.pins = [];
     this.shown = { swept: true, tools: false, names: true };
-    this.whole = this.box = [0, 0, 100, 100];
+    this.whole = [0, 0, 100, 100];
+    this.fit();
     this.chosen = null;
     this.svg.addEventListener("click", (event) => {
       const block = event.target.dataset?.block;
@@ -85,14 +90,16 @@ export class Drawing {
     new ResizeObserver(() => this.pin()).observe(view);
   }
 
-  /** Draws an outcome; the part of it that is seen stays if `keep` is true. */
-  show(outcome, keep) {
+  /** Draws an outcome. What a person has zoomed to stays, unless the program is another one; a picture of the whole that
+      no longer holds all, or is of a program that was changed, is made to fit. */
+  show(outcome, { other, changed }) {
     const moved = outcome.path.filter((step) => step.shape);
     this.outcome = outcome;
     this.pins = [];
     this.svg.replaceChildren();
+    const zoomed = this.box.some((value, index) => value !== this.fitted[index]);
     this.whole = bounds(outcome, moved);
-    if (!keep) this.box = this.whole.slice();
+    if (other || (!zoomed && (changed || !within(this.whole, this.box)))) this.fit();
     const group = (name) => element("g", { class: name }, this.svg);
     const reach = 4 * Math.max(this.whole[2], this.whole[3]) + Math.abs(this.whole[0]) + Math.abs(this.whole[1]);
     element("path", { class: "grid", d: `M${-reach} 0H${reach}M0 ${-reach}V${reach}` }, group("axes"));
@@ -235,10 +242,16 @@ export class Drawing {
     }
   }
 
+  /** Shows the whole. */
+  fit() {
+    this.box = this.whole.slice();
+    this.fitted = this.whole;
+  }
+
   /** Zooms about a point of the view, its parts from 0 to 1; 0 times shows the whole. */
   zoom(times, [right, down] = [0.5, 0.5]) {
     if (!times) {
-      this.box = this.whole.slice();
+      this.fit();
     } else {
       const [x, y, wide, tall] = this.box;
       const part = Math.min(4 * this.whole[2], Math.max(this.whole[2] / 2000, wide / times)) / wide;

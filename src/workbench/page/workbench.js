@@ -76,6 +76,8 @@ let busy = false;
 let again = false;
 let stripTimer = 0;
 let stripAsked = null;
+/** What the strip tells of. */
+let stripTold = "";
 
 /** Asks for the state that the controls show. */
 async function run() {
@@ -86,16 +88,24 @@ async function run() {
     const asked = state();
     try {
       const answer = await (await post("/run", { ...asked, safety: true })).json();
+      const changed = answered?.program !== asked.program;
       answered = asked;
-      show(answer);
+      show(answer, changed);
     } catch (problem) {
       failed(problem);
     }
     remember(asked);
   } while (again);
   busy = false;
-  clearTimeout(stripTimer);
-  stripTimer = setTimeout(strip, 350);
+  const about = stripAbout();
+  if (about !== stripTold) {
+    // What was told of another program no longer holds.
+    stripTold = "";
+    id("strip").replaceChildren();
+    id("strip-text").textContent = "";
+    clearTimeout(stripTimer);
+    stripTimer = setTimeout(() => strip(about), 350);
+  }
   document.body.dataset.settled = String(Number(document.body.dataset.settled ?? 0) + 1);
 }
 
@@ -109,12 +119,12 @@ function changed(wait = 0) {
 
 // What is answered.
 
-function show(answer) {
+function show(answer, changed) {
   outcome = answer;
   document.body.classList.remove("stale");
   const { refused } = answer;
   fault(refused);
-  drawing.show(answer, !fresh);
+  drawing.show(answer, { other: fresh, changed });
   story.show(answer);
   id("count").textContent = `${answer.blocks.length} blocks`;
   legend(answer);
@@ -219,8 +229,11 @@ async function tryRadii(from, to) {
   return (await post("/radii", { ...state(), device: "", radii }, stripAsked.signal)).json();
 }
 
+/** All that the strip depends on: the radius itself is not among it. */
+const stripAbout = () => JSON.stringify({ ...state(), radius: "", device: "", most: id("slider").disabled ? 0 : id("slider").max });
+
 /** Tries radii all along the slider, and shows where there is an alarm; then once more where the first one begins. */
-async function strip() {
+async function strip(about) {
   const [slider, place, words] = [id("slider"), id("strip"), id("strip-text")];
   const most = Number(slider.max);
   stripAsked = new AbortController();
@@ -248,6 +261,7 @@ async function strip() {
     return [bar];
   }));
   words.textContent = text;
+  stripTold = about;
 }
 
 // Links, files.
