@@ -107,7 +107,7 @@ fn is_distinctive(term: &str) -> bool {
     let first = characters.next().unwrap_or(' ');
     let rest: String = characters.collect();
     let greek = |character: char| ('α'..='ω').contains(&character);
-    let numbered = "uCRVtnD".contains(first) && matches!(rest.as_str(), "1" | "2" | "'" | "1'" | "2'");
+    let numbered = "uCRVtn".contains(first) && matches!(rest.as_str(), "1" | "2" | "'" | "1'" | "2'");
     numbered || term.contains(greek) || (term.contains('·') && term.contains(char::is_alphabetic))
 }
 
@@ -143,7 +143,7 @@ mod tests {
         assert_eq!(found("to its side, σ·cross(t1, t2) > 0 with t1"), ["σ·cross(t1, t2) > 0", "t1"]);
         assert_eq!(found("Two lines: A = (15, 5), B = (17, 1)."), ["A = (15, 5)", "B = (17, 1)"]);
         assert_eq!(found("over the normal (10, -1) to the corner point (11, -1)."), Vec::<String>::new());
-        assert_eq!(found("under G41 a tool T1 goes to X 10 - 20, N40; I am - a tool"), Vec::<String>::new());
+        assert_eq!(found("under G41 D1 a tool T1 goes to X 10 - 20, N40; I am - a tool"), Vec::<String>::new());
         let plain = "at (10, 5), and (see there) the rest";
         assert_eq!(in_sentence(plain), [(plain.to_owned(), false)]);
         let whole: String = in_sentence("so (α ≥ 180°), and").into_iter().map(|(text, _)| text).collect();
