@@ -14,6 +14,7 @@ mod links;
 mod pass;
 mod profiles;
 mod prose;
+mod sentence;
 mod site;
 mod variation;
 

@@ -2,8 +2,9 @@
 
 use pulldown_cmark::{BrokenLink, CodeBlockKind, CowStr, Event, Options, Parser, Tag, TagEnd, TextMergeStream, html};
 
-use super::formula::{in_sentence, is_formula, math};
+use super::formula::{is_formula, math};
 use super::links::{Links, page_of_document};
+use super::sentence::in_sentence;
 
 /// What is set beside plain Markdown.
 #[derive(Clone, Copy, Debug)]
