@@ -4,6 +4,8 @@
 mod limits;
 #[path = "farm/resumed.rs"]
 mod resumed;
+#[path = "verify/schema.rs"]
+mod schema;
 #[path = "farm/shards.rs"]
 mod shards;
 

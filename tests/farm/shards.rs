@@ -5,8 +5,9 @@ use std::path::Path;
 use std::process::{Child, Command};
 
 use radcomp::certify::{Course, Shard, certify, certify_on, merge};
-use radcomp::report::{DeviceRecord, Report};
+use radcomp::report::{DeviceRecord, Report, SCHEMA};
 
+use super::schema::violation;
 use super::{Faulty, RADCOMP, campaign, radcomp, text};
 
 /// Enough for more failed programs than a report keeps.
@@ -40,9 +41,11 @@ fn the_parts_make_the_report_of_the_whole() {
         whole.counts
     );
     assert!(!whole.tally.unsupported.is_empty() && whole.shard.is_none());
+    let schema = serde_json::from_str(SCHEMA).unwrap();
     for of in [1, 3, 7] {
         // In any order.
         let parts: Vec<_> = (1..=of).rev().map(|number| shard(number, of, 5)).collect();
+        assert_eq!(violation(&schema, &serde_json::to_value(&parts[0].1).unwrap()), None);
         assert!(of == 1 || parts[0].1.tally.programs < whole.tally.programs);
         let (_, merged, report) = merge(parts).unwrap();
         assert_eq!(written(&report), written(&whole), "{of} parts");
