@@ -60,7 +60,11 @@ impl LookAhead {
                 watch.end_block();
                 assert!(window.held() <= *capacity, "more held than the capacity");
                 assert!(watch.next + window.held() == watch.read, "every block is handed on or held");
-                assert!(watch.pending.is_some() == (window.held() > 0), "an element is pending when blocks are held");
+                let waits = watch.pending.is_some() || watch.corner.is_some();
+                assert!(waits == (window.held() > 0), "an element or a corner arc is pending when blocks are held");
+                assert!(!event.vector_code || watch.asked.is_some(), "a vector block outside offset mode is an alarm");
+                let moves_at_once = event.vector_code && event.kind != Kind::Still && event.kind != Kind::CornerToNext;
+                assert!(!moves_at_once || window.held() == 0, "behind a vector block the junction is settled");
                 assert!(event.not_in_mode.is_none(), "a code that is not for offset mode is an alarm");
                 let shift = |block| watch.pending.is_some_and(|held| (held.block, held.begin) == (block, Begin::Shift));
                 let breaks = event.stops || event.zero_length && !shift(block);
@@ -99,12 +103,16 @@ impl LookAhead {
     /// The state but for how many blocks came before: two states with the same key behave alike from here on.
     #[must_use]
     pub fn key(&self) -> String {
-        let Watch { next, read, pending, asked, .. } = self.watch;
+        let Watch { next, read, pending, corner, asked, .. } = self.watch;
         let owed = (next..read).map(|block| self.watch.rapid(block));
         let owed: String = owed.map(|rapid| if rapid { 'r' } else { 'f' }).collect();
         // The one number of a block in the window's state is that of the pending element, the first block owed.
-        assert!(pending.is_none_or(|pending| pending.block == next));
-        format!("{:?} {pending:?} {asked:?} {owed}", self.window).replace(&format!("block: {next},"), "block: first,")
+        assert!(
+            pending.map(|pending| pending.block).or(corner.map(|corner| corner.0)).is_none_or(|block| block == next)
+        );
+        let corner = corner.map(|(_, side)| side);
+        format!("{:?} {pending:?} {corner:?} {asked:?} {owed}", self.window)
+            .replace(&format!("block: {next},"), "block: first,")
     }
 }
 
@@ -117,14 +125,40 @@ pub fn event(choice: &mut impl Choice, rates: bool) -> Event {
         rapid: rates && choice.flag(),
         swapped: choice.flag(),
         stops: choice.flag(),
-        ..Event::of(choice.of(&[Kind::Still, Kind::Dummy, Kind::Line, Kind::Arc]))
+        ..Event::of(Kind::Still)
     };
+    // Another radius is an alarm or nothing, whatever the vectors of its block.
+    let kinds = if event.other_radius { 4 } else { KINDS.len() };
+    let event = Event { code: event.code, ..merged(event, choice.of(&KINDS[..kinds])) };
+    let vectors = !event.other_radius && !event.vector_code;
+    let vector = vectors && event.code.is_some() && matches!(event.kind, Kind::Still | Kind::Line) && choice.flag();
     if event.kind != Kind::Still {
-        return event;
+        return Event { vector, ..event };
+    }
+    if vector {
+        return Event { vector, zero_length: choice.flag(), ..event };
     }
     // A move of length zero does not move, and a block with a code that is not for offset mode is not looked at further.
     let not_in_mode = choice.of(&[None, Some(AlarmKind::ToolChangeInMode)]);
-    Event { zero_length: not_in_mode.is_none() && choice.flag(), not_in_mode, ..event }
+    let vector_code = vectors && not_in_mode.is_none() && choice.flag();
+    Event { zero_length: not_in_mode.is_none() && choice.flag(), not_in_mode, vector_code, ..event }
+}
+
+/// The kinds of movement, vector blocks behind the others.
+const KINDS: [Kind; 8] = [
+    Kind::Still,
+    Kind::Dummy,
+    Kind::Line,
+    Kind::Arc,
+    Kind::HeldVector,
+    Kind::NewVector,
+    Kind::CornerArc,
+    Kind::CornerToNext,
+];
+
+/// The marks of an event on a block of this kind.
+fn merged(event: Event, kind: Kind) -> Event {
+    Event { kind, vector_code: Event::of(kind).vector_code, ..event }
 }
 
 /// Any parameters that the look-ahead reads, with at most `allowed` blocks without movement, or any number; the others
@@ -136,6 +170,10 @@ pub fn parameters(choice: &mut impl Choice, allowed: u8) -> Parameters {
         (SideChange::TwoNormals, SideChangeAfterStartUp::Alarm),
         (SideChange::Forbidden, SideChangeAfterStartUp::Alarm),
     ]);
+    let (side_code_vector, cancel_vector, offset_change) = choice.of(&[
+        (SideCodeVector::Refused, CancelVector::Refused, OffsetChange::Alarm),
+        (SideCodeVector::RightAngles, CancelVector::ImaginaryLine, OffsetChange::EndOfBlock),
+    ]);
     Parameters {
         start_up: choice.of(&[StartUp::TypeA, StartUp::EntryNormal]),
         start_up_lost: choice.of(&[StartUpLost::Normal, StartUpLost::NoVector]),
@@ -146,6 +184,9 @@ pub fn parameters(choice: &mut impl Choice, allowed: u8) -> Parameters {
         same_code: choice.of(&[SameCode::Ordinary, SameCode::Normal, SameCode::Alarm]),
         side_change,
         side_change_after_start_up,
+        side_code_vector,
+        cancel_vector,
+        offset_change,
         non_moving_allowed: Some(choice.below(allowed + 2)).filter(|count| *count <= allowed),
         ..crate::engine::plain()
     }
@@ -174,16 +215,23 @@ pub fn programs_under(choice: &mut impl Choice, parameters: &Parameters, events:
 }
 
 /// The places that [`programs`] must reach.
-pub const PLACES: [&str; 14] = [
+pub const PLACES: [&str; 21] = [
     "a block held and handed on later",
     "a cancel of type B",
+    "a cancel with an imaginary line",
     "a cancel without movement",
     "a change of side",
     "a corner",
+    "a corner arc to a vector",
+    "a corner arc to the next element",
+    "a corner arc without a next element",
+    "a held vector",
+    "a new vector",
     "a start-up",
     "a start-up without movement",
     "a start-up without movement that is none",
     "a start-up without vector",
+    "a vector of a move",
     "an alarm",
     "an alarm at the pending block",
     "an end without alarm",

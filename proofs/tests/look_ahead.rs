@@ -118,6 +118,9 @@ fn two_sets(non_moving_allowed: Option<u8>) -> [Parameters; 2] {
         cancel: Cancel::TypeB,
         cancel_without_movement: CancelWithoutMovement::Shift,
         same_code: SameCode::Normal,
+        side_code_vector: SideCodeVector::RightAngles,
+        cancel_vector: CancelVector::ImaginaryLine,
+        offset_change: OffsetChange::EndOfBlock,
         non_moving_allowed,
         ..plain()
     };
@@ -188,7 +191,7 @@ impl Total {
 #[test]
 fn every_sequence_under_every_profile() {
     let all = all_parameters(2);
-    assert_eq!(all.len(), 2 * 2 * 2 * 2 * 2 * 2 * 3 * 3 * 4);
+    assert_eq!(all.len(), 2 * 2 * 2 * 2 * 2 * 2 * 3 * 3 * 2 * 4);
     let bounded: Vec<_> = all.into_iter().filter(|parameters| parameters.non_moving_allowed.is_some()).collect();
     Total::of(&bounded, false).tell("sequences of any length at feed rate");
 }

@@ -53,6 +53,18 @@
 // A dummy block: `end` is its vector.
 #define RADCOMP_DUMMY 4
 
+// G38 with a straight move to `end`: the vector is held.
+#define RADCOMP_HELD_VECTOR 5
+
+// G38 with I, J, K: a new vector, at right angles to `end`, which is incremental.
+#define RADCOMP_NEW_VECTOR 6
+
+// G39 with a direction: a corner arc to the vector at right angles to `end`, which is incremental.
+#define RADCOMP_CORNER_TO_VECTOR 7
+
+// G39 alone: a corner arc to the next element.
+#define RADCOMP_CORNER_TO_NEXT 8
+
 // G02.
 #define RADCOMP_CLOCKWISE 0
 
@@ -94,7 +106,8 @@ typedef struct radcomp_state radcomp_state;
 
 // One block of a program, modal codes, units and diameters resolved.
 typedef struct {
-  // RADCOMP_NONE, RADCOMP_LINE, RADCOMP_ARC, RADCOMP_ARC_RADIUS or RADCOMP_DUMMY.
+  // RADCOMP_NONE, RADCOMP_LINE, RADCOMP_ARC, RADCOMP_ARC_RADIUS, RADCOMP_DUMMY, RADCOMP_HELD_VECTOR,
+  // RADCOMP_NEW_VECTOR, RADCOMP_CORNER_TO_VECTOR or RADCOMP_CORNER_TO_NEXT.
   uint32_t movement;
   // RADCOMP_CLOCKWISE or RADCOMP_COUNTERCLOCKWISE, of an arc.
   uint32_t direction;
@@ -114,6 +127,10 @@ typedef struct {
   double end[2];
   // The centre of an arc.
   double centre[2];
+  // Not 0: I, J, K stand beside the compensation code, and `vector` is theirs.
+  uint32_t has_vector;
+  // The incremental vector beside the compensation code.
+  double vector[2];
   // The alarm of a code that is not for offset mode, such as "tool-change-in-mode", with a zero at its end; empty for
   // none.
   char not_in_mode[RADCOMP_NAME];
