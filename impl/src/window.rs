@@ -205,8 +205,11 @@ impl Window {
                 Ok(())
             }
             Kind::Dummy => {
+                let joins = self.joins();
                 self.meet(block, side, g)?;
-                g.corner_moves();
+                if joins {
+                    g.corner_moves();
+                }
                 g.hold(block, event.rapid, clause::TRC_DUMMY_02);
                 Ok(())
             }

@@ -62,15 +62,13 @@ impl<S: Sink> Scene<'_, S> {
 
     /// [TRC-VEC-02], [TRC-VEC-03]: the arc about the end of the last element that ended, with its value, from its normal.
     pub(super) fn emit_corner_arc(&mut self, block: usize, rapid: bool, toward: Toward, side: Side) {
-        let State { elements, junctions, pending, tool, .. } = &mut *self.state;
+        let State { elements, pending, tool, .. } = &mut *self.state;
         let (last, next) = places(*pending);
-        let (last, next, junction) = (&elements[last], &elements[next], &mut junctions[next]);
+        let (last, next) = (&elements[last], &elements[next]);
         let (along, error, clause) = match toward {
             Toward::Vector => (direction(self.given).0, 1.0, clause::TRC_VEC_02),
             Toward::Element => (next.first, next.first_error, clause::TRC_VEC_03),
         };
-        // A dummy block that follows owns no corner moves.
-        junction.clear();
         let normal = perp(along) * sigma(side);
         let (from, bound) = (last.end_normal(), last.last_error + error);
         let stays = sign(cross(from, normal), bound) == Ordering::Equal && dot(from, normal) > 0.0;
