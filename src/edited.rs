@@ -68,13 +68,22 @@ impl Edited {
 }
 
 /// Limits and rules that no built-in profile has, for the numbers after theirs.
-const CHANGED: [(&str, &[(&str, &str)]); 6] = [
+const CHANGED: [(&str, &[(&str, &str)]); 7] = [
     ("fanuc-30i-b", &[("small-vector-limit", "\"0.5\"")]),
     ("fanuc-30i-b", &[("smallest-corner-cosine", "\"0.6\""), ("start-up-b", "\"direct\"")]),
     ("siemens-840d-g451", &[("corner-limit-cosine", "\"0.6\""), ("reversal", "\"alarm\"")]),
     ("okuma-osp", &[("side-change", "\"intersection\""), ("corner-owner", "\"previous\"")]),
     ("linuxcnc", &[("straight-band-cosine", "\"0.96\""), ("arc-on-rapid", "\"line\"")]),
     ("seed-mill", &[("small-vector-limit", "\"5\""), ("equal-radius", "\"degenerate-point\"")]),
+    (
+        "seed-mill",
+        &[
+            ("vector-codes", "\"g38-g39\""),
+            ("side-code-vector", "\"imaginary-line\""),
+            ("cancel-vector", "\"imaginary-line\""),
+            ("offset-change", "\"end-of-block\""),
+        ],
+    ),
 ];
 
 /// A profile by its number: the built-in ones, and those that are changed.

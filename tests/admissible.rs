@@ -65,9 +65,20 @@ fn profile() -> Profile {
     Profile::builtin("seed-mill").expect("built in")
 }
 
+/// Profiles that give vectors by words of the program and change the offset value in mode.
+fn profiles_with_vectors() -> impl Iterator<Item = Profile> {
+    let built_in = ["fanuc-16", "mitsubishi-m700", "okuma-osp"].map(|name| Profile::builtin(name).expect("built in"));
+    let changes = [("vector-codes", "\"g38-g39\""), ("side-code-vector", "\"imaginary-line\"")];
+    built_in.into_iter().chain(Profile::changed("seed-mill", "changed", changes))
+}
+
 /// Generated programs and boundary programs.
 fn programs(count: u64) -> impl Iterator<Item = Blocks> {
-    let reach = Reach::of(&profile());
+    programs_of(&profile(), count)
+}
+
+fn programs_of(profile: &Profile, count: u64) -> impl Iterator<Item = Blocks> + use<> {
+    let reach = Reach::of(profile);
     let generated = (0..count).map(move |number| generate::program(11, number, reach));
     generated.chain(boundary::all(11, count / 40, reach).flat_map(|triple| triple.programs))
 }
@@ -82,6 +93,18 @@ fn the_exact_outcome_is_admissible_without_any_band() {
     for blocks in programs(2_000) {
         let Judged { verdict, .. } = judge(&mut ExactOf(&blocks), &profile().parameters, &blocks, &band(0.0));
         assert!(matches!(verdict, Verdict::Exact), "{verdict:?}\n{blocks:?}");
+    }
+}
+
+#[test]
+fn the_exact_outcome_is_admissible_where_the_program_gives_vectors() {
+    for profile in profiles_with_vectors() {
+        for blocks in programs_of(&profile, 600) {
+            let Judged { verdict, .. } = judge(&mut ExactOf(&blocks), &profile.parameters, &blocks, &band(0.0));
+            assert!(matches!(verdict, Verdict::Exact), "{}: {verdict:?}\n{blocks:?}", profile.name);
+            let Judged { verdict, .. } = judge(&mut ExactOf(&blocks), &profile.parameters, &blocks, &band(1e-10));
+            assert!(!verdict.is_red(), "{}: {verdict:?}\n{blocks:?}", profile.name);
+        }
     }
 }
 

@@ -78,6 +78,13 @@ const VARIANTS: &[&str] = &[
     r#"equal-radius = "degenerate-point"; arc-extension = "curve"; negative-radius = "swaps-sides""#,
     r#"equal-radius = "degenerate-point"; side-change = "intersection"; reversed-path = "alarm""#,
     r#"offset-zero = "cancel"; read-ahead-stop = "breaks-look-ahead""#,
+    r#"vector-codes = "g38-g39"; corner-owner = "previous"; zero-length-move = "breaks-look-ahead""#,
+    r#"vector-codes = "g38-g39"; side-change = "intersection"; same-code = "normal"; reversed-path = "alarm""#,
+    r#"side-code-vector = "imaginary-line"; cancel-vector = "imaginary-line"; cancel = "type-b""#,
+    r#"side-code-vector = "imaginary-point"; cancel-vector = "imaginary-line"; side-change-after-start-up = "allowed""#,
+    r#"side-code-vector = "right-angles"; start-up = "type-b"; cancel-without-movement = "shift""#,
+    r#"offset-change = "end-of-block"; negative-radius = "swaps-sides"; side-change = "intersection""#,
+    r#"offset-change = "end-of-block"; equal-radius = "degenerate-point"; start-up-without-movement = "shift""#,
 ];
 
 fn variants() -> impl Iterator<Item = (&'static str, Profile)> {

@@ -28,8 +28,7 @@ pub fn is_asked(kind: DecisionKind, reach: Reach) -> bool {
         DecisionKind::ContactWithin => parameters.side_change == SideChange::IntersectionWithin,
         DecisionKind::EntryLength => parameters.start_up == StartUp::EntryNormal || reach.starts_on_arcs(),
         DecisionKind::EntryArc => reach.starts_on_arcs(),
-        // Not made yet: generated programs come to it.
-        DecisionKind::ImaginaryLineMet => false,
+        DecisionKind::ImaginaryLineMet => reach.vectors_at_cancel(),
         DecisionKind::SmallestCorner => {
             let type_b = parameters.start_up == StartUp::TypeB || parameters.cancel == Cancel::TypeB;
             type_b && angle(parameters.smallest_corner_cosine).is_some()

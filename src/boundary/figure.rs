@@ -26,6 +26,8 @@ pub(super) struct Figure {
     /// Where the tool stands before the first vertex, and where it goes after the last, when that matters.
     pub(super) approach: Option<Point>,
     pub(super) away: Option<Point>,
+    /// A point of the imaginary line beside the code that cancels, seen from the last vertex ([TRC-CANCEL-08]).
+    pub(super) imaginary: Option<Point>,
     /// How the start-up block leads to the first vertex.
     pub(super) entry: Shape,
     side: Option<Side>,
@@ -93,6 +95,7 @@ impl Figure {
             reversible: true,
             approach: None,
             away: None,
+            imaginary: None,
             entry: Shape::Line,
             side: Some(Side::Left),
         }
@@ -172,7 +175,8 @@ impl Figure {
 
     /// Every point and length of the contour changed alike: `point` for points, `vector` for directions.
     pub(super) fn map(&mut self, point: impl Fn(&Point) -> Point, vector: impl Fn(&Point) -> Point, scale: &Rational) {
-        for vertex in self.vertices.iter_mut().chain(&mut self.approach).chain(&mut self.away) {
+        let ends = self.approach.iter_mut().chain(&mut self.away).chain(&mut self.imaginary);
+        for vertex in self.vertices.iter_mut().chain(ends) {
             *vertex = point(vertex);
         }
         for shape in self.moves.iter_mut().map(|each| &mut each.shape).chain([&mut self.entry]) {
@@ -214,7 +218,7 @@ impl Figure {
             Shape::Arc { centre, .. } => Some(centre),
             Shape::Line | Shape::Radius { .. } => None,
         };
-        let points = self.vertices.iter().chain(&self.approach).chain(&self.away).chain(entry);
+        let points = self.vertices.iter().chain(&self.approach).chain(&self.away).chain(&self.imaginary).chain(entry);
         let of_moves = self.moves.iter().flat_map(|each| {
             let (point, word) = match &each.shape {
                 Shape::Line => (None, None),

@@ -93,3 +93,19 @@ fn arcs(choice: &mut Choice, side: Side, outer: bool, from_outside: bool) -> Opt
     let figure = figure.on(Some(side)).arc(end, c2, second);
     Some(if choice.coin() { figure } else { figure.nudge(What::Centre(1), grow) })
 }
+
+/// [TRC-CANCEL-08] an arc with the tool inside it, and an imaginary line whose offset touches its offset circle. With the
+/// centre above the corner and e the direction of the line, the centre stands `R·e_a - r` from that offset, which is
+/// `-(R - r)` at `r = R·(1 + e_a) / 2`; with `+(R - r)` the line would be a tangent of the arc.
+pub(super) fn imaginary_line_met(choice: &mut Choice) -> Option<Figure> {
+    let (turn, radius) = (choice.slant(), choice.length());
+    let sign = |choice: &mut Choice| Rational::from(if choice.coin() { 1 } else { -1 });
+    let along = Point::new(turn.a * sign(choice), turn.b * sign(choice));
+    let tool = Rational::from(&along.a + 1) * &radius / 2;
+    let (start, centre) = (Point::new(-radius.clone(), radius.clone()), Point::new(0, radius.clone()));
+    let figure = Figure::new("imaginary line that touches the offset of an arc", start).tool(tool);
+    let mut figure = figure.arc(Point::origin(), centre, Direction::Counterclockwise);
+    figure.imaginary = Some(along.times(&radius));
+    figure.reversible = false;
+    Some(figure)
+}

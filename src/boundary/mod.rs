@@ -23,7 +23,7 @@
 //!   an angle of cosine L (`asked.rs`), as with the limits of the built-in profiles but 90°;
 //! * `right-angle` asks nothing where outer corners are no intersections, `line-in-forward` where nothing loses the
 //!   look-ahead, and the contacts of a change of side where there is no such change;
-//! * `imaginary-line-met` has no programs of its own yet;
+//! * `imaginary-line-met`: where it stands before the contour, at start-up, generated programs alone come to it;
 //! * `entry-arc`: with the tool outside an arc no start lies on it;
 //! * `nearer-contact` with a line asks for a tool of at least four times the arc's radius.
 
@@ -116,7 +116,7 @@ fn figure(kind: DecisionKind, choice: &mut Choice, reach: Reach) -> Option<Figur
         DecisionKind::NearerContact => contact::nearer_contact(choice),
         DecisionKind::EntryLength => entry::entry_length(choice, reach),
         DecisionKind::EntryArc => entry::entry_arc(choice),
-        DecisionKind::ImaginaryLineMet => None,
+        DecisionKind::ImaginaryLineMet => meet::imaginary_line_met(choice),
         DecisionKind::SmallestCorner => limit::smallest_corner(choice, reach),
         DecisionKind::LimitAngle => limit::limit_angle(choice, reach),
         DecisionKind::ExtensionsMeet => meet::extensions_meet(choice),

@@ -62,7 +62,8 @@ pub(super) fn program(figure: &Figure, ends: &Ends, reach: Reach) -> Vec<Block<R
         blocks.push(block);
     }
     let compensation = side.map(|_| Compensation::Off);
-    blocks.push(Block { compensation, ..line(&away) });
+    let vector = figure.imaginary.as_ref().map(|point| millimetres(&point.minus(last)));
+    blocks.push(Block { compensation, vector, ..line(&away) });
     blocks
 }
 

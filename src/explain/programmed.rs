@@ -36,8 +36,10 @@ pub enum Shape {
         /// Start and end are one point.
         full: bool,
     },
-    /// A dummy block with this vector ([TRC-DUMMY-01]), or a code that gives a direction ([TRC-VEC-01]).
+    /// A dummy block with this vector ([TRC-DUMMY-01]).
     Dummy(Point<f64>),
+    /// G38 or G39 with this vector ([TRC-VEC-01]).
+    Direction(Point<f64>),
 }
 
 impl Programmed {
@@ -51,9 +53,10 @@ impl Programmed {
         let start = doubles(&self.exact);
         let (end, shape) = match &block.movement {
             Movement::None | Movement::CornerArc { vector: None } => return None,
-            Movement::Dummy { vector }
-            | Movement::NewVector { vector }
-            | Movement::CornerArc { vector: Some(vector) } => {
+            Movement::NewVector { vector } | Movement::CornerArc { vector: Some(vector) } => {
+                return Some(ProgrammedMove { start, end: start, shape: Shape::Direction(doubles(vector)) });
+            }
+            Movement::Dummy { vector } => {
                 return Some(ProgrammedMove { start, end: start, shape: Shape::Dummy(doubles(vector)) });
             }
             Movement::Line { end } | Movement::HeldVector { end } if *end == self.exact => return None,
@@ -110,7 +113,7 @@ impl ProgrammedMove {
     fn heading_at(&self, point: Point<f64>) -> f64 {
         let [a, b] = match &self.shape {
             Shape::Line => [self.end[0] - self.start[0], self.end[1] - self.start[1]],
-            Shape::Dummy(vector) => *vector,
+            Shape::Dummy(vector) | Shape::Direction(vector) => *vector,
             Shape::Arc { centre, direction, .. } => {
                 let ray = [point[0] - centre[0], point[1] - centre[1]];
                 match direction {

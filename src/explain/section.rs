@@ -102,6 +102,11 @@ impl Section {
                 let whole = if *full { "full circle" } else { "arc" };
                 format!("{} {whole}, {start} to {end} about {}", sense(*direction), point(centre))
             }
+            Shape::Direction(vector) => {
+                let [a, b] = vector.map(|component| component.short(digits));
+                let [first, second] = self.axes.letters();
+                format!("a vector at {start}: no movement, the direction {first} {a} {second} {b} (radius values)")
+            }
             Shape::Dummy(vector) => {
                 let [a, b] = vector.map(|component| component.short(digits));
                 let [first, second] = self.axes.letters();

@@ -145,7 +145,10 @@ impl<W: Write> Teller<W> {
     fn at_corner(&mut self, decision: &Decision) {
         let Some(after) = self.open.iter().position(|section| section.index == decision.block) else { return };
         let moves = |section: &Section| {
-            section.programmed.as_ref().is_some_and(|programmed| !matches!(programmed.shape, Shape::Dummy(_)))
+            section
+                .programmed
+                .as_ref()
+                .is_some_and(|programmed| !matches!(programmed.shape, Shape::Dummy(_) | Shape::Direction(_)))
         };
         let Some(before) = (0..after).rev().find(|index| moves(&self.open[*index])) else { return };
         let (line, side) = (self.open[after].source.line, self.open[after].side);

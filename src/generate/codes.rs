@@ -100,7 +100,11 @@ fn change_codes(blocks: &mut Vec<Block<Rational>>, side: Side, radius: i64, dice
         if !reach.corners().is_empty() && dice.once_in(4) {
             block.corner = Some(dice.pick(reach.corners()));
         }
-        if dice.once_in(80) {
+        if reach.changes_offset() && dice.once_in(6) {
+            let any = dice.between(1, radius.max(2));
+            let value = dice.pick(&[radius / 2, radius + 1, radius * 2, any]);
+            block.radius = Some(thousandths(if reach.negative_radii() && dice.once_in(12) { -value } else { value }));
+        } else if dice.once_in(80) {
             block.radius = Some(thousandths(dice.between(1, 900)));
         } else if reach.negative_radii() && dice.once_in(25) {
             block.radius = Some(thousandths(if dice.once_in(2) { radius } else { -radius }));

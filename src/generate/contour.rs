@@ -27,7 +27,7 @@ pub(super) enum MoveShape {
 }
 
 /// Directions with whole lengths: the vector, and its length.
-const DIRECTIONS: [(Whole, i64); 8] =
+pub(super) const DIRECTIONS: [(Whole, i64); 8] =
     [([1, 0], 1), ([0, 1], 1), ([3, 4], 5), ([4, 3], 5), ([5, 12], 13), ([8, 15], 17), ([7, 24], 25), ([20, 21], 29)];
 
 /// Points of the circle with radius 65 that have whole coordinates, in one eighth; the rest by symmetry.
@@ -71,7 +71,7 @@ pub(super) fn contour(dice: &mut Dice, reach: Reach) -> Contour {
 }
 
 /// A direction in one of the eight symmetric positions.
-fn symmetric(vector: Whole, dice: &mut Dice) -> Whole {
+pub(super) fn symmetric(vector: Whole, dice: &mut Dice) -> Whole {
     let [a, b] = if dice.once_in(2) { vector } else { [vector[1], vector[0]] };
     [if dice.once_in(2) { a } else { -a }, if dice.once_in(2) { b } else { -b }]
 }

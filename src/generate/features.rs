@@ -40,7 +40,16 @@ fn still(position: &[Rational; 2], dice: &mut Dice, reach: Reach) -> Block<Ratio
 
 /// The dummy that stands for the next block; now and then a wrong one.
 fn dummy(next: &Block<Rational>, position: &[Rational; 2], dice: &mut Dice) -> Block<Rational> {
-    let mut vector = match &next.movement {
+    let mut vector = toward(next, position);
+    if dice.once_in(8) {
+        vector = vector.map(|value| -value);
+    }
+    Block::moving(Movement::Dummy { vector })
+}
+
+/// A vector along a block at its start; for an arc with R, and a block that does not move, any.
+pub(super) fn toward(next: &Block<Rational>, position: &[Rational; 2]) -> [Rational; 2] {
+    match &next.movement {
         Movement::Line { end } | Movement::HeldVector { end } => {
             [Rational::from(&end[0] - &position[0]), Rational::from(&end[1] - &position[1])]
         }
@@ -50,11 +59,7 @@ fn dummy(next: &Block<Rational>, position: &[Rational; 2], dice: &mut Dice) -> B
             Direction::Clockwise => [Rational::from(-b), a.clone()],
         },
         _ => [thousandths(1000), thousandths(0)],
-    };
-    if dice.once_in(8) {
-        vector = vector.map(|value| -value);
     }
-    Block::moving(Movement::Dummy { vector })
 }
 
 /// Moves one number of one block by one least increment.

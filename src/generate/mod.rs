@@ -8,9 +8,11 @@ mod codes;
 mod contour;
 mod dice;
 mod features;
+mod vectors;
 
 use radcomp_spec::parameters::{
-    CornerCodes, Dummy, InMode, NegativeRadius, ReadAheadStop, SameCode, SideChange, StartUp, StartUpArc, ToolChange,
+    CancelVector, CornerCodes, Dummy, InMode, NegativeRadius, OffsetChange, ReadAheadStop, SameCode, SideChange,
+    SideCodeVector, StartUp, StartUpArc, ToolChange, VectorCodes,
 };
 use radcomp_spec::profile::{Machine, Profile};
 use radcomp_spec::{AlarmKind, Block, OuterCorner, Parameters};
@@ -74,6 +76,37 @@ impl Reach {
         codes.into_iter().filter_map(|(alarm, kind)| alarm.then_some(kind)).collect()
     }
 
+    /// G38 and G39 exist ([TRC-VEC-01]).
+    pub fn vector_codes(&self) -> bool {
+        self.machine.vector_codes == VectorCodes::G38G39
+    }
+
+    /// I, J, K beside G41 and G42 mean something at start-up ([TRC-START-10], [TRC-START-11]).
+    fn vectors_at_start_up(&self) -> bool {
+        match self.parameters.side_code_vector {
+            SideCodeVector::Refused => false,
+            SideCodeVector::RightAngles => true,
+            SideCodeVector::ImaginaryLine | SideCodeVector::ImaginaryPoint => {
+                self.parameters.start_up != StartUp::EntryNormal
+            }
+        }
+    }
+
+    /// They mean something in mode ([TRC-VEC-06]).
+    fn vectors_in_mode(&self) -> bool {
+        self.parameters.side_code_vector == SideCodeVector::RightAngles
+    }
+
+    /// I, J, K beside G40 mean something ([TRC-CANCEL-08]).
+    pub fn vectors_at_cancel(&self) -> bool {
+        self.parameters.cancel_vector != CancelVector::Refused
+    }
+
+    /// The offset value may change in mode ([TRC-MODE-11]).
+    fn changes_offset(&self) -> bool {
+        self.parameters.offset_change == OffsetChange::EndOfBlock
+    }
+
     /// An arc may start up ([TRC-START-09]).
     pub fn starts_on_arcs(&self) -> bool {
         self.parameters.start_up_arc == StartUpArc::MovedCentre
@@ -110,6 +143,7 @@ pub fn program(seed: u64, number: u64, reach: Reach) -> Vec<Block<Rational>> {
     let mut dice = Dice::new(seed, number / 3);
     let contour = contour::contour(&mut dice, reach);
     let mut blocks = codes::with_codes(contour, &mut dice, reach);
+    vectors::give(&mut blocks, &mut dice, reach);
     features::decorate(&mut blocks, &mut dice, reach);
     match number % 3 {
         0 => {}

@@ -101,7 +101,7 @@ impl Scene {
         let form = programmed.as_ref().and_then(|programmed| match programmed.shape {
             Shape::Line => Some(Form::Straight),
             Shape::Arc { centre, direction, full } => Some(Form::Arc { centre, direction, full }),
-            Shape::Dummy(_) => None,
+            Shape::Dummy(_) | Shape::Direction(_) => None,
         });
         let mut piece = None;
         if let (Some(form), Some(programmed)) = (form, &programmed) {

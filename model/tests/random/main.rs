@@ -141,7 +141,7 @@ proptest! {
 fn random_programs_reach_every_clause() {
     let mut runner = TestRunner::deterministic();
     let mut reached = BTreeSet::new();
-    for _ in 0..4000 {
+    for _ in 0..6000 {
         let choices = choices().new_tree(&mut runner).expect("choices are never refused").current();
         let case = Case::new(&choices);
         let run = run(&case.parameters, &case.blocks);
@@ -157,6 +157,7 @@ fn random_programs_reach_every_clause() {
         "TRC-CORNER-10 TRC-CORNER-13 TRC-CORNER-14 TRC-CORNER-16 TRC-CORNER-17",
         "TRC-SIDE-02 TRC-SIDE-03 TRC-SIDE-05 TRC-SIDE-06",
         "TRC-CANCEL-01 TRC-CANCEL-02 TRC-CANCEL-03 TRC-CANCEL-05 TRC-CANCEL-06",
+        "TRC-START-10 TRC-START-11 TRC-CANCEL-08 TRC-VEC-02 TRC-VEC-03 TRC-VEC-04 TRC-VEC-05 TRC-VEC-06",
         "TRC-LOOK-01 TRC-LOOK-02 TRC-LOOK-03 TRC-LOOK-05 TRC-DUMMY-02",
     ];
     // Of the alarms of codes in mode, which one is raised is the program reader's to say.

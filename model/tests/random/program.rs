@@ -158,15 +158,18 @@ fn exact([a, b]: [i32; 2]) -> [Rational; 2] {
 }
 
 fn movement(choices: &mut Choices<'_>, position: &mut [i32; 2]) -> Movement<Rational> {
-    match choices.below(16) {
+    match choices.below(13) {
         0 | 1 => Movement::None,
-        12 => {
-            *position = [choices.coordinate(), choices.coordinate()];
-            Movement::HeldVector { end: exact(*position) }
-        }
-        13 => Movement::NewVector { vector: exact([choices.coordinate(), 1 + choices.below(4) as i32]) },
-        14 => Movement::CornerArc { vector: Some(exact([1 + choices.below(4) as i32, choices.coordinate()])) },
-        15 => Movement::CornerArc { vector: None },
+        // Few, as they end a program that is not in mode.
+        12 => match choices.below(4) {
+            0 => {
+                *position = [choices.coordinate(), choices.coordinate()];
+                Movement::HeldVector { end: exact(*position) }
+            }
+            1 => Movement::NewVector { vector: exact([choices.coordinate(), 1 + choices.below(4) as i32]) },
+            2 => Movement::CornerArc { vector: Some(exact([1 + choices.below(4) as i32, choices.coordinate()])) },
+            _ => Movement::CornerArc { vector: None },
+        },
         2 => Movement::Dummy { vector: exact([choices.coordinate(), choices.coordinate()]) },
         3 => Movement::Line { end: exact(*position) },
         kind @ 4..8 => {

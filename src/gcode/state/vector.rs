@@ -46,6 +46,10 @@ impl State<'_> {
         if command.codes().any(|other| other.code.meaning == Meaning::Dwell) {
             return Err(fault(Kind::ConflictingCodes, "and G04 exclude each other in one block".into()));
         }
+        let holds = given.code.meaning == Meaning::HeldVector;
+        if holds && !matches!(self.motion, Some(Motion::Rapid | Motion::Feed)) {
+            return Err(fault(Kind::MisplacedWord, "needs a straight move in force, G00 or G01".into()));
+        }
         for letter in ['P', 'U'] {
             if let Some(word) = command.word(letter) {
                 return Err(word_of_dwell(word));
@@ -66,13 +70,8 @@ impl State<'_> {
         }
         self.stay_in_plane(&given.span)?;
         block.rapid = self.motion == Some(Motion::Rapid);
-        let no_direction = || fault(Kind::WrongNumber, "needs a direction, and this one has no length".into());
-        let holds = given.code.meaning == Meaning::HeldVector;
-        let straight = matches!(self.motion, Some(Motion::Rapid | Motion::Feed));
+        let no_direction = || fault(Kind::MisplacedWord, "needs a direction, and this one has no length".into());
         block.movement = match (holds, to_point, by_vector) {
-            (true, ..) if !straight => {
-                return Err(fault(Kind::NoMotion, "needs a straight move in force, G00 or G01".into()));
-            }
             (true, false, false) => {
                 return Err(fault(Kind::MisplacedWord, "needs axis words, or I, J, K".into()));
             }

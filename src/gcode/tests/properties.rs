@@ -1,7 +1,9 @@
 //! Properties: what is printed reads back, and no bytes make the reader panic.
 
 use proptest::prelude::*;
-use radcomp_spec::parameters::{CornerCodes, InMode, ReadAheadStop, ToolChange};
+use radcomp_spec::parameters::{
+    CancelVector, CornerCodes, InMode, ReadAheadStop, SideCodeVector, ToolChange, VectorCodes,
+};
 use radcomp_spec::profile::{BUILTIN, Machine, Profile};
 use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
 use rug::Rational;
@@ -31,6 +33,9 @@ fn movement() -> impl Strategy<Value = Movement<Rational>> {
         5 => point().prop_map(|end| Movement::Line { end }),
         3 => (point(), centre, direction).prop_map(|(end, centre, direction)| Movement::Arc { end, centre, direction }),
         1 => point().prop_map(|vector| Movement::Dummy { vector }),
+        1 => point().prop_map(|end| Movement::HeldVector { end }),
+        1 => point().prop_map(|vector| Movement::NewVector { vector }),
+        1 => prop::option::of(point()).prop_map(|vector| Movement::CornerArc { vector }),
     ]
 }
 
@@ -58,12 +63,13 @@ fn block() -> impl Strategy<Value = Block<Rational>> {
         1 => Just(Some(AlarmKind::CannedCycleInMode)),
     ];
     let stops = prop::bool::weighted(0.1);
-    (movement(), any::<bool>(), compensation, radius, corner, stops, not_in_mode).prop_map(
-        |(movement, rapid, compensation, radius, corner, stops_look_ahead, not_in_mode)| Block {
+    let vector = prop::option::weighted(0.5, point());
+    (movement(), any::<bool>(), compensation, vector, radius, corner, stops, not_in_mode).prop_map(
+        |(movement, rapid, compensation, vector, radius, corner, stops_look_ahead, not_in_mode)| Block {
             movement,
             rapid,
             compensation,
-            vector: None,
+            vector,
             radius,
             corner,
             stops_look_ahead,
@@ -76,7 +82,9 @@ fn block() -> impl Strategy<Value = Block<Rational>> {
 fn expressible(mut blocks: Vec<Block<Rational>>, profile: &Profile) -> Vec<Block<Rational>> {
     let machine = &profile.machine;
     let mut on = false;
+    let mut position = [Rational::new(), Rational::new()];
     for block in &mut blocks {
+        vectors(block, &position, profile);
         block.corner = block.corner.filter(|corner| match machine.corner_codes {
             CornerCodes::None => false,
             CornerCodes::M96M97 => *corner != OuterCorner::LimitAngle,
@@ -91,10 +99,40 @@ fn expressible(mut blocks: Vec<Block<Rational>>, profile: &Profile) -> Vec<Block
         block.not_in_mode = block.not_in_mode.filter(|kind| on && has_alarm(machine, *kind));
         if block.not_in_mode.is_some() {
             // Its movement is not looked at.
-            (block.movement, block.rapid) = (Movement::None, false);
+            (block.movement, block.rapid, block.vector) = (Movement::None, false, None);
+        }
+        if let Movement::Line { end } | Movement::Arc { end, .. } | Movement::HeldVector { end } = &block.movement {
+            position = end.clone();
         }
     }
     blocks
+}
+
+/// Takes out of a block the vectors that have no G-code under the profile.
+fn vectors(block: &mut Block<Rational>, position: &[Rational; 2], profile: &Profile) {
+    let zero = |vector: &[Rational; 2]| vector.iter().all(Rational::is_zero);
+    let is_code = match &block.movement {
+        Movement::HeldVector { .. } | Movement::CornerArc { vector: None } => true,
+        Movement::NewVector { vector } | Movement::CornerArc { vector: Some(vector) } => {
+            block.movement = if zero(vector) { Movement::None } else { block.movement.clone() };
+            true
+        }
+        _ => false,
+    };
+    if is_code && (profile.machine.vector_codes == VectorCodes::None || block.compensation.is_some()) {
+        block.movement = Movement::None;
+    }
+    let has_meaning = match (block.compensation, &block.movement) {
+        (Some(Compensation::Off), Movement::None | Movement::Line { .. }) => {
+            profile.parameters.cancel_vector != CancelVector::Refused
+        }
+        // An imaginary line stands at start-up alone, words without a move in mode alone.
+        (Some(Compensation::On(_)), Movement::Line { end }) => {
+            profile.parameters.side_code_vector == SideCodeVector::RightAngles && end != position
+        }
+        _ => false,
+    };
+    block.vector = block.vector.take().filter(|vector| has_meaning && !zero(vector));
 }
 
 /// Whether the profile has this alarm for a code in mode.
@@ -168,7 +206,7 @@ proptest! {
     #[test]
     fn words_at_random_read_or_are_refused_in_place(
         profile in profile(),
-        text in "((G0?[0-4]|G1[789]|G2[01]|G4[0-4]|G9[0-2]|G28|G53|G81|G45[01]|M9[67]|M0[016]|M30|D[0-4]|T0?10[0134]|N1|F9|/|%|\\(a\\)|;|[XYZIJKRPUé]-?[0-9]{1,2}(\\.[05])?)[ \n]){0,30}",
+        text in "((G0?[0-4]|G1[789]|G2[01]|G4[0-4]|G9[0-2]|G28|G3[89]|G53|G81|G45[01]|M9[67]|M0[016]|M30|D[0-4]|T0?10[0134]|N1|F9|/|%|\\(a\\)|;|[XYZIJKRPUé]-?[0-9]{1,2}(\\.[05])?)[ \n]){0,30}",
     ) {
         match read("a.nc", text.as_bytes(), &profile, &tools()) {
             Ok(program) => {

@@ -168,7 +168,7 @@ fn contour(blocks: &[Block<Rational>], block: usize) -> (Vec<Piece>, Named, f64)
         let form = match programmed.shape {
             Shape::Line => Form::Straight,
             Shape::Arc { centre, direction, full } => Form::Arc { centre, direction, full },
-            Shape::Dummy(_) => continue,
+            Shape::Dummy(_) | Shape::Direction(_) => continue,
         };
         let trace = if side == started { Trace::Programmed } else { Trace::Lead };
         started = side;
