@@ -23,6 +23,8 @@ pub struct LookAhead {
     watch: Watch,
     /// The most blocks that it may hold.
     capacity: usize,
+    /// Blocks that give vectors are among the events.
+    vectors: bool,
 }
 
 impl LookAhead {
@@ -30,7 +32,9 @@ impl LookAhead {
     #[must_use]
     pub fn new(parameters: &Parameters) -> LookAhead {
         let capacity = parameters.non_moving_allowed.map_or(usize::MAX, |allowed| 1 + usize::from(allowed));
-        LookAhead { window: Window::new(parameters), watch: Watch::new(parameters), capacity }
+        // Without them what they mean does not matter.
+        let vectors = parameters.side_code_vector == SideCodeVector::RightAngles;
+        LookAhead { window: Window::new(parameters), watch: Watch::new(parameters), capacity, vectors }
     }
 
     /// The same with another claim of its capacity: what a false twin holds it to.
@@ -47,7 +51,7 @@ impl LookAhead {
     /// # Panics
     /// When the look-ahead breaks a promise.
     pub fn read(&mut self, event: Event, choice: &mut impl Choice) -> Result<(), Alarm> {
-        let LookAhead { window, watch, capacity } = self;
+        let LookAhead { window, watch, capacity, .. } = self;
         let block = watch.read;
         watch.begin_block(event);
         let result = window.read(block, event, &mut Answers { watch, choice });
@@ -116,8 +120,8 @@ impl LookAhead {
     }
 }
 
-/// Any event that a block may tell; where `rates` is not set, all are at feed rate.
-pub fn event(choice: &mut impl Choice, rates: bool) -> Event {
+/// Any event that a block may tell this look-ahead; where `rates` is not set, all are at feed rate.
+pub fn event(look_ahead: &LookAhead, choice: &mut impl Choice, rates: bool) -> Event {
     let (left, right) = (Compensation::On(Side::Left), Compensation::On(Side::Right));
     let event = Event {
         code: choice.of(&[None, Some(Compensation::Off), Some(left), Some(right)]),
@@ -128,9 +132,10 @@ pub fn event(choice: &mut impl Choice, rates: bool) -> Event {
         ..Event::of(Kind::Still)
     };
     // Another radius is an alarm or nothing, whatever the vectors of its block.
-    let kinds = if event.other_radius { 4 } else { KINDS.len() };
+    let vectors = look_ahead.vectors && !event.other_radius;
+    let kinds = if vectors { KINDS.len() } else { 4 };
     let event = Event { code: event.code, ..merged(event, choice.of(&KINDS[..kinds])) };
-    let vectors = !event.other_radius && !event.vector_code;
+    let vectors = vectors && !event.vector_code;
     let vector = vectors && event.code.is_some() && matches!(event.kind, Kind::Still | Kind::Line) && choice.flag();
     if event.kind != Kind::Still {
         return Event { vector, ..event };
@@ -174,6 +179,25 @@ pub fn parameters(choice: &mut impl Choice, allowed: u8) -> Parameters {
         (SideCodeVector::Refused, CancelVector::Refused, OffsetChange::Alarm),
         (SideCodeVector::RightAngles, CancelVector::ImaginaryLine, OffsetChange::EndOfBlock),
     ]);
+    // With vectors among the events the ways of start-up and cancel that they do not touch come in one mixture.
+    if side_code_vector == SideCodeVector::RightAngles {
+        return Parameters {
+            start_up: choice.of(&[StartUp::TypeA, StartUp::EntryNormal]),
+            start_up_lost: StartUpLost::NoVector,
+            start_up_without_movement: StartUpWithoutMovement::Shift,
+            start_up_arc: StartUpArc::MovedCentre,
+            cancel: choice.of(&[Cancel::TypeA, Cancel::TypeB]),
+            cancel_without_movement: CancelWithoutMovement::Shift,
+            same_code: choice.of(&[SameCode::Ordinary, SameCode::Normal]),
+            side_change,
+            side_change_after_start_up,
+            side_code_vector,
+            cancel_vector,
+            offset_change,
+            non_moving_allowed: Some(choice.below(allowed + 2)).filter(|count| *count <= allowed),
+            ..crate::engine::plain()
+        };
+    }
     Parameters {
         start_up: choice.of(&[StartUp::TypeA, StartUp::EntryNormal]),
         start_up_lost: choice.of(&[StartUpLost::Normal, StartUpLost::NoVector]),
@@ -207,7 +231,7 @@ pub fn programs_under(choice: &mut impl Choice, parameters: &Parameters, events:
         if choice.flag() {
             break;
         }
-        if look_ahead.read(event(choice, rates), choice).is_err() {
+        if look_ahead.read(event(&look_ahead, choice, rates), choice).is_err() {
             return;
         }
     }
