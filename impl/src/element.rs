@@ -22,6 +22,8 @@ pub(crate) struct Element {
     pub start: Vector,
     /// σ: +1 when the tool runs left, -1 when it runs right. [TRC-PLANE-02]
     pub side: f64,
+    /// The tool radius, that of the element's block: every vector of the junction at its end has it. [TRC-MODE-11]
+    pub radius: f64,
     /// Length of a line.
     pub length: f64,
     /// Error of the tangent at the start, and of the ray there, in units of rounding.
@@ -57,6 +59,7 @@ impl Element {
             first: zero,
             last: zero,
             side: 1.0,
+            radius: 0.0,
             length: 0.0,
             first_error: 1.0,
             last_error: 1.0,
@@ -80,6 +83,11 @@ impl Element {
         let (along, length) = direction(vector);
         // The vector is an input, not a difference of coordinates.
         self.set_straight(start, start + vector, along, length, greater(magnitude(start), length), 1.0);
+    }
+
+    /// Makes this an imaginary line through a point, in a direction (unit). [TRC-START-11], [TRC-CANCEL-08]
+    pub fn set_imaginary(&mut self, through: Vector, along: Vector) {
+        self.set_straight(through, through, along, 0.0, magnitude(through), 1.0);
     }
 
     /// Makes this a block without movement at a point. [TRC-START-08]

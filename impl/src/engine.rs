@@ -64,7 +64,8 @@ impl Engine {
             return Err(alarm);
         }
         let end = self.state.position;
-        let mut scene = Scene { state: &mut self.state, sink, end, block: self.blocks, rapid: false };
+        let given = Vector::zeros();
+        let mut scene = Scene { state: &mut self.state, sink, end, block: self.blocks, rapid: false, given };
         let result = self.window.finish(&mut scene);
         self.alarm = result.err();
         result
@@ -79,14 +80,17 @@ impl Engine {
             // The movement words are not looked at. [TRC-MODE-08]
             return self.stay(block, Kind::Still, radius_in_range(block, &self.state), sink);
         }
+        if let Some(vector) = block.vector {
+            return self.read_beside(block, vector, sink);
+        }
         match &block.movement {
             Movement::Line { end } if *end != <[f64; 2]>::from(start) => {
                 let form = form_line(block, *end, &mut self.state);
-                self.take(block, Kind::Line, form, sink)
+                self.take(block, Kind::Line, form, Vector::zeros(), sink)
             }
             Movement::Arc { end, centre, direction } => {
                 let form = form_arc(block, *end, centre, *direction, &mut self.state);
-                self.take(block, Kind::Arc, form, sink)
+                self.take(block, Kind::Arc, form, Vector::zeros(), sink)
             }
             // [TRC-LOOK-01]: a straight move of length zero does not move.
             Movement::Line { .. } | Movement::None => {
@@ -97,11 +101,49 @@ impl Engine {
                 let form = form_dummy(block, *vector, &mut self.state);
                 self.stay(block, kind, form, sink)
             }
-            // Not implemented yet: refused wherever they stand. [TRC-VEC-01]
-            Movement::HeldVector { .. } | Movement::NewVector { .. } | Movement::CornerArc { .. } => {
-                self.stay(block, Kind::Still, Err(AlarmKind::VectorCodeOutsideMode), sink)
+            Movement::HeldVector { end } if *end != <[f64; 2]>::from(start) => {
+                let form = form_line(block, *end, &mut self.state);
+                self.take_rare(block, Kind::HeldVector, form, Vector::zeros(), sink)
+            }
+            // [TRC-VEC-04]: of length zero it is a straight move of length zero.
+            Movement::HeldVector { .. } => self.stay(block, Kind::Still, radius_in_range(block, &self.state), sink),
+            Movement::NewVector { vector } => self.read_vector(block, Kind::NewVector, *vector, sink),
+            Movement::CornerArc { vector: Some(vector) } => self.read_vector(block, Kind::CornerArc, *vector, sink),
+            Movement::CornerArc { vector: None } => {
+                self.stay(block, Kind::CornerToNext, radius_in_range(block, &self.state), sink)
             }
         }
+    }
+
+    /// Reads a block with a vector beside its compensation code: a straight move, or no movement. The words of an arc are
+    /// its centre's.
+    #[cold]
+    fn read_beside<S: Sink>(&mut self, block: &Block<f64>, vector: [f64; 2], sink: &mut S) -> Result<(), Alarm> {
+        let start = self.state.position;
+        let given = in_range(vector).and_then(|vector| radius_in_range(block, &self.state).map(|()| vector));
+        match &block.movement {
+            Movement::Line { end } if *end != <[f64; 2]>::from(start) => {
+                let form = given.and_then(|_| form_line(block, *end, &mut self.state));
+                self.take_rare(block, Kind::Line, form, given.unwrap_or(Vector::zeros()), sink)
+            }
+            Movement::Line { .. } | Movement::None => self.read_vector(block, Kind::Still, vector, sink),
+            _ => self.read(&Block { vector: None, ..block.clone() }, sink),
+        }
+    }
+
+    /// Reads a block that gives a vector and does not move by its program; without a length it gives none.
+    #[cold]
+    fn read_vector<S: Sink>(
+        &mut self,
+        block: &Block<f64>,
+        kind: Kind,
+        vector: [f64; 2],
+        sink: &mut S,
+    ) -> Result<(), Alarm> {
+        let position = self.state.position;
+        let given = radius_in_range(block, &self.state).and_then(|()| in_range(vector));
+        let kind = if vector == [0.0, 0.0] { Kind::Still } else { kind };
+        self.take_rare(block, kind, given.map(|_| position), given.unwrap_or(Vector::zeros()), sink)
     }
 
     /// Takes a block that does not move. Such blocks are rare, and their code stands apart.
@@ -114,22 +156,36 @@ impl Engine {
         sink: &mut S,
     ) -> Result<(), Alarm> {
         let position = self.state.position;
-        self.take(block, kind, form.map(|()| position), sink)
+        self.take(block, kind, form.map(|()| position), Vector::zeros(), sink)
     }
 
-    /// Takes a block of which the form, with its end, has been looked at.
+    /// Takes a block whose code is rare too.
+    #[inline(never)]
+    fn take_rare<S: Sink>(
+        &mut self,
+        block: &Block<f64>,
+        kind: Kind,
+        form: Result<Vector, AlarmKind>,
+        given: Vector,
+        sink: &mut S,
+    ) -> Result<(), Alarm> {
+        self.take(block, kind, form, given, sink)
+    }
+
+    /// Takes a block of which the form, with its end, has been looked at; `given` is the vector that it gives, or zero.
     #[inline(always)]
     fn take<S: Sink>(
         &mut self,
         block: &Block<f64>,
         kind: Kind,
         form: Result<Vector, AlarmKind>,
+        given: Vector,
         sink: &mut S,
     ) -> Result<(), Alarm> {
         let index = self.blocks;
         self.blocks = index.wrapping_add(1);
         let end = form.unwrap_or(self.state.position);
-        let mut scene = Scene { state: &mut self.state, sink, end, block: index, rapid: block.rapid };
+        let mut scene = Scene { state: &mut self.state, sink, end, block: index, rapid: block.rapid, given };
         if let Err(fault) = form {
             return self.window.fault(index, fault, &mut scene);
         }
@@ -148,10 +204,17 @@ impl Engine {
             rapid: block.rapid,
             swapped: scene.state.swapped,
             zero_length: scene.state.zero_length_move == ZeroLengthMove::BreaksLookAhead
-                && matches!(block.movement, Movement::Line { .. })
+                && matches!(block.movement, Movement::Line { .. } | Movement::HeldVector { .. })
                 && kind == Kind::Still,
             stops: block.stops_look_ahead,
             not_in_mode: block.not_in_mode,
+            vector: given != Vector::zeros() && block.vector.is_some(),
+            vector_code: kind != Kind::Line
+                && kind != Kind::Arc
+                && matches!(
+                    block.movement,
+                    Movement::HeldVector { .. } | Movement::NewVector { .. } | Movement::CornerArc { .. }
+                ),
         };
         self.window.read(index, event, &mut scene)?;
         self.state.position = end;

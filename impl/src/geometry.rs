@@ -13,6 +13,14 @@ pub enum Kind {
     Line,
     /// An arc that exists.
     Arc,
+    /// G38 with a straight move of non-zero length: the vector is held. [TRC-VEC-04]
+    HeldVector,
+    /// G38 with I, J, K: a new vector. [TRC-VEC-05]
+    NewVector,
+    /// G39 with a direction: a corner arc. [TRC-VEC-02]
+    CornerArc,
+    /// G39 alone: a corner arc to the next element. [TRC-VEC-03]
+    CornerToNext,
 }
 
 /// What a block tells the look-ahead.
@@ -34,6 +42,10 @@ pub struct Event {
     pub stops: bool,
     /// The alarm of a code in it that is not for offset mode. [TRC-MODE-08]
     pub not_in_mode: Option<AlarmKind>,
+    /// I, J, K stand beside its compensation code. [TRC-START-10], [TRC-START-11], [TRC-VEC-06], [TRC-CANCEL-08]
+    pub vector: bool,
+    /// It holds G38 or G39. [TRC-VEC-01]
+    pub vector_code: bool,
 }
 
 impl Event {
@@ -49,6 +61,8 @@ impl Event {
             zero_length: false,
             stops: false,
             not_in_mode: None,
+            vector: false,
+            vector_code: matches!(kind, Kind::HeldVector | Kind::NewVector | Kind::CornerArc | Kind::CornerToNext),
         }
     }
 }
@@ -66,6 +80,8 @@ pub enum Meeting {
     SideChange,
     /// Cancel of type B. [TRC-CANCEL-05]
     Cancel,
+    /// Cancel with an imaginary line. [TRC-CANCEL-08]
+    CancelLine,
 }
 
 /// Where the pending element ends.
@@ -77,6 +93,20 @@ pub enum End<J> {
     Normal(Clause),
     /// At its programmed end, by the clause.
     Programmed(Clause),
+    /// At right angles to the vector of the block read, on this side, by the clause; an arc on its own normal.
+    /// [TRC-START-10], [TRC-VEC-05], [TRC-VEC-06]
+    Vector(Side, Clause),
+    /// With the vector that it has at its start. [TRC-VEC-04]
+    Held,
+}
+
+/// Where a corner arc leads. [TRC-VEC-02], [TRC-VEC-03]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Toward {
+    /// To the vector at right angles to that of the block read.
+    Vector,
+    /// To the normal of the element read.
+    Element,
 }
 
 /// How a new element becomes the pending one.
@@ -97,8 +127,9 @@ pub trait Geometry {
     /// A formed junction.
     type Junction;
 
-    /// Whether the tool, on this side, fits the arc of the block read. [TRC-ARC-05], [TRC-ARC-08]
-    fn tool_fits(&mut self, side: Side) -> bool;
+    /// The alarm of the block read, an arc in which the tool does not fit on this side, or, if it `joins` the pending
+    /// element, a full circle that its value does not fit. [TRC-ARC-05], [TRC-ARC-08], [TRC-MODE-11]
+    fn arc_fault(&mut self, side: Side, joins: bool) -> Option<AlarmKind>;
     /// Makes the block read an entry move on this side; it is begun as start-up block next. [TRC-START-07],
     /// [TRC-START-09]
     ///
@@ -127,4 +158,10 @@ pub trait Geometry {
     fn retreat(&mut self);
     /// Makes the element read, which is on this side, the pending one.
     fn begin(&mut self, begin: Begin, side: Side);
+    /// Emits a corner arc on this side as a block's own move, behind the element that ended last: the block read's, or
+    /// that of a block which waited for the element read. [TRC-VEC-02], [TRC-VEC-03]
+    fn corner_arc(&mut self, block: usize, rapid: bool, toward: Toward, side: Side);
+    /// Emits the move of the block read to the vector that it gives on this side: one that replaces the vector of a junction
+    /// `settled` before it has the radius in force, another that of the element before. [TRC-VEC-05]
+    fn new_vector(&mut self, side: Side, settled: bool);
 }

@@ -21,6 +21,7 @@ pub mod engine;
 mod entry;
 pub mod geometry;
 mod held;
+mod imaginary;
 mod inner;
 mod junction;
 mod meet;

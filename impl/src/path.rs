@@ -1,6 +1,6 @@
 //! The end of the path: where it goes on, and where its steps go.
 
-use radcomp_spec::{Clause, Segment, Step};
+use radcomp_spec::{Clause, Direction, Segment, Step};
 
 use crate::arc_form::Arc;
 use crate::engine::Sink;
@@ -49,6 +49,12 @@ impl<S: Sink> PathEnd<'_, S> {
                 self.emit(clause, true, Segment::Arc { end, centre, direction, full });
             }
         }
+        *self.tool = to;
+    }
+
+    /// Emits a corner arc as the block's own move. [TRC-VEC-02]
+    pub fn corner_arc(&mut self, to: Vector, centre: Vector, direction: Direction, clause: Clause) {
+        self.emit(clause, true, Segment::Arc { end: to.into(), centre: centre.into(), direction, full: false });
         *self.tool = to;
     }
 

@@ -1,7 +1,7 @@
 //! What a profile says of junctions.
 
 use radcomp_spec::parameters::{
-    ArcExtension, ArcOnRapid, CornerOwner, EqualRadius, Ratio, Reversal, SideChange, StartUp, StartUpB,
+    ArcExtension, ArcOnRapid, CornerOwner, EqualRadius, Ratio, Reversal, SideChange, SideCodeVector, StartUp, StartUpB,
 };
 use radcomp_spec::{OuterCorner, Parameters};
 
@@ -34,6 +34,8 @@ pub(crate) struct Rules {
     pub small: f64,
     /// [TRC-ARC-08]
     pub equal_radius: EqualRadius,
+    /// [TRC-START-11]
+    pub side_code_vector: SideCodeVector,
 }
 
 impl Rules {
@@ -53,6 +55,7 @@ impl Rules {
             arc_on_rapid: parameters.arc_on_rapid,
             small: value(parameters.small_vector_limit),
             equal_radius: parameters.equal_radius,
+            side_code_vector: parameters.side_code_vector,
         }
     }
 }

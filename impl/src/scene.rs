@@ -1,5 +1,7 @@
 //! The geometry behind the look-ahead: the pending element, the path's end, and the emission of steps.
 
+mod vector;
+
 use core::cmp::Ordering;
 
 use radcomp_spec::parameters::{CornerOwner, EqualRadius, NegativeRadius, ReversedPath, StartUp, ZeroLengthMove};
@@ -8,7 +10,8 @@ use radcomp_spec::{AlarmKind, Clause, Parameters, Segment, Side, Step, clause};
 use crate::element::{Element, sigma};
 use crate::engine::{MOST, Sink};
 use crate::entry;
-use crate::geometry::{Begin, End, Geometry, Meeting};
+use crate::geometry::{Begin, End, Geometry, Meeting, Toward};
+use crate::imaginary;
 use crate::junction::{self, Junction};
 use crate::path::PathEnd;
 use crate::plane::{Vector, greater, magnitude};
@@ -37,8 +40,8 @@ pub(crate) struct State {
     pub radius_in_force: f64,
     /// That radius is negative. [TRC-SIDE-07]
     pub swapped: bool,
-    /// The tool radius: the one in force in the start-up block. [TRC-MODE-03]
-    radius: f64,
+    /// The direction (unit) of the start-up block's imaginary line; zero: there is none. [TRC-START-11]
+    imaginary: Vector,
     /// The pending element, when the look-ahead has one, and the element read: they change places instead of being
     /// copied.
     elements: [Element; 2],
@@ -63,7 +66,7 @@ impl State {
             tool: zero,
             radius_in_force: 0.0,
             swapped: false,
-            radius: 0.0,
+            imaginary: zero,
             elements: [Element::unused(); 2],
             junctions: [Junction::unused(); 2],
             pending: 0,
@@ -95,14 +98,17 @@ pub(crate) struct Scene<'a, S> {
     pub block: usize,
     /// It moves at rapid rate.
     pub rapid: bool,
+    /// The vector that it gives; zero: none.
+    pub given: Vector,
 }
 
 impl<S: Sink> Scene<'_, S> {
     /// Completes the element read.
     #[inline(always)]
     fn complete(&mut self, side: Side) {
+        let radius = self.state.radius_in_force;
         let element = self.state.next();
-        (element.side, element.block, element.rapid) = (sigma(side), self.block, self.rapid);
+        (element.side, element.radius, element.block, element.rapid) = (sigma(side), radius, self.block, self.rapid);
     }
 
     /// Completes the element read, whose junction was settled without it or is no junction.
@@ -115,11 +121,12 @@ impl<S: Sink> Scene<'_, S> {
     /// The move to the normal of an arc whose junction was settled without it, unless the tool stands there.
     /// [TRC-LOOK-05]
     fn line_in(&mut self) {
-        let State { radius, elements, junctions, pending, tool, .. } = &mut *self.state;
+        let State { elements, junctions, pending, tool, .. } = &mut *self.state;
         let (_, next) = places(*pending);
         let element = &elements[next];
-        let normal = element.start_vector(*radius);
-        let away = sign(magnitude(normal - *tool), element.scale + *radius + magnitude(*tool)) != Ordering::Equal;
+        let normal = element.start_vector(element.radius);
+        let scale = element.scale + element.radius + magnitude(*tool);
+        let away = sign(magnitude(normal - *tool), scale) != Ordering::Equal;
         if element.arc.is_some() && away {
             junctions[next].set(clause::TRC_LOOK_05, normal);
             junctions[next].push(normal);
@@ -132,38 +139,51 @@ impl<S: Sink> Geometry for Scene<'_, S> {
     type Junction = ();
 
     #[inline(always)]
-    fn tool_fits(&mut self, side: Side) -> bool {
-        let (radius, equal) = (self.state.radius, self.state.rules.equal_radius);
-        self.state.next().tool_fits(side, radius, equal)
+    fn arc_fault(&mut self, side: Side, joins: bool) -> Option<AlarmKind> {
+        let State { radius_in_force: own, rules, elements, pending, .. } = &mut *self.state;
+        let (pending, next) = places(*pending);
+        let (arc, before) = (&elements[next], elements[pending].radius);
+        if joins && before != *own {
+            return vector::fault_between(arc, side, before, *own);
+        }
+        (!arc.tool_fits(side, *own, rules.equal_radius)).then_some(AlarmKind::RadiusTooSmall)
     }
 
     #[inline(never)]
     fn enter(&mut self, side: Side) -> Result<(), AlarmKind> {
-        let State { radius, radius_in_force, tool, rules, .. } = &mut *self.state;
-        *radius = *radius_in_force;
-        let (from, radius, equal) = (*tool, *radius, rules.equal_radius);
+        let State { radius_in_force, tool, rules, .. } = &mut *self.state;
+        let (from, radius, equal) = (*tool, *radius_in_force, rules.equal_radius);
         entry::enter(self.state.next(), from, radius, side, equal)
     }
 
     #[inline(always)]
     fn junction(&mut self, meeting: Meeting, side: Side) -> Result<(), AlarmKind> {
+        if meeting == Meeting::CancelLine {
+            self.set_imaginary();
+        }
         self.complete(side);
-        let State { radius, rules, elements, junctions, pending, .. } = &mut *self.state;
+        let State { imaginary, rules, elements, junctions, pending, .. } = &mut *self.state;
         let (first, second) = places(*pending);
         let (first, second, junction) = (&elements[first], &elements[second], &mut junctions[second]);
+        // Both offset curves and every vector have the value of the element before. [TRC-MODE-11]
+        let radius = first.radius;
         match meeting {
-            Meeting::Corner => junction::corner(first, second, *radius, rules, junction),
-            Meeting::SideChange => junction::change_of_side(first, second, *radius, rules, junction),
-            Meeting::Cancel => type_b::cancel(first, second, *radius, rules, junction),
+            Meeting::Corner => junction::corner(first, second, radius, rules, junction),
+            Meeting::SideChange => junction::change_of_side(first, second, radius, rules, junction),
+            Meeting::Cancel => type_b::cancel(first, second, radius, rules, junction),
+            Meeting::CancelLine => imaginary::cancel(first, second, junction),
             Meeting::Shift => {
-                junction.set(clause::TRC_START_08, second.start_vector(*radius));
+                junction.set(clause::TRC_START_08, second.start_vector(radius));
                 Ok(())
             }
+            Meeting::StartUp if *imaginary != Vector::zeros() => {
+                imaginary::start_up(first, second, *imaginary, junction)
+            }
             Meeting::StartUp if rules.start_up == StartUp::TypeB => {
-                type_b::start_up(first, second, *radius, rules, junction)
+                type_b::start_up(first, second, radius, rules, junction)
             }
             Meeting::StartUp => {
-                junction.set(clause::TRC_START_02, second.start_vector(*radius));
+                junction.set(clause::TRC_START_02, second.start_vector(radius));
                 Ok(())
             }
         }
@@ -171,22 +191,24 @@ impl<S: Sink> Geometry for Scene<'_, S> {
 
     #[inline(always)]
     fn settle(&mut self, end: End<()>, start_up: bool) -> Result<(), AlarmKind> {
-        let State { radius, elements, junctions, pending, tool, rules, reversed, .. } = &mut *self.state;
+        let State { elements, junctions, pending, tool, rules, reversed, .. } = &mut *self.state;
         let (pending, next) = places(*pending);
         let (element, start, behind) = (&elements[pending], &junctions[pending], &junctions[next]);
+        let tool_before = *tool;
+        let from = || start.last().unwrap_or(tool_before);
         let (to, clause, on_normal) = match end {
             End::Junction(()) => (behind.first, behind.clause, behind.ends_on_normal),
-            End::Normal(clause) => (element.end_vector(*radius), clause, true),
+            End::Normal(clause) => (element.end_vector(element.radius), clause, true),
             End::Programmed(clause) => (element.end, clause, true),
+            End::Vector(side, clause) => (vector::end_of(element, self.given, side), clause, true),
+            End::Held => (from() + (element.end - element.start), clause::TRC_VEC_04, true),
         };
-        let degenerate = rules.equal_radius == EqualRadius::DegeneratePoint && element.is_point(*radius);
+        let degenerate = rules.equal_radius == EqualRadius::DegeneratePoint && element.is_point(element.radius);
         let arc = if degenerate { None } else { element.arc.as_ref() };
         let full = arc.is_some_and(|arc| arc.full) && start.starts_on_normal && on_normal;
-        if *reversed == ReversedPath::Alarm && !start_up && !degenerate {
-            let from = start.last().unwrap_or(*tool);
-            if let Some(kind) = wedge::reversed(element, from, to, full) {
-                return Err(kind);
-            }
+        let looked_at = *reversed == ReversedPath::Alarm && !start_up && !degenerate && end != End::Held;
+        if looked_at && let Some(kind) = wedge::reversed(element, from(), to, full) {
+            return Err(kind);
         }
         let mut path = PathEnd { tool, sink: self.sink, block: element.block, rapid: element.rapid };
         path.corner_moves(start);
@@ -222,7 +244,8 @@ impl<S: Sink> Geometry for Scene<'_, S> {
 
     fn retreat(&mut self) {
         let (to, tool) = (self.end, self.state.tool);
-        let scale = greater(magnitude(to), magnitude(tool)) + self.state.radius;
+        let (last, _) = places(self.state.pending);
+        let scale = greater(magnitude(to), magnitude(tool)) + self.state.elements[last].radius;
         if sign(magnitude(to - tool), scale) == Ordering::Equal {
             self.hold(self.block, self.rapid, clause::TRC_LOOK_01);
         } else {
@@ -238,13 +261,12 @@ impl<S: Sink> Geometry for Scene<'_, S> {
             Begin::Junction => {}
             Begin::StartUp => {
                 self.complete_settled(side);
-                self.state.radius = self.state.radius_in_force;
+                self.note_imaginary();
             }
             Begin::Shift => {
                 let end = self.end;
                 self.state.next().set_still(end);
                 self.complete_settled(side);
-                self.state.radius = self.state.radius_in_force;
             }
             Begin::Settled => {
                 self.complete_settled(side);
@@ -252,5 +274,13 @@ impl<S: Sink> Geometry for Scene<'_, S> {
             }
         }
         self.state.pending = !self.state.pending & 1;
+    }
+
+    fn corner_arc(&mut self, block: usize, rapid: bool, toward: Toward, side: Side) {
+        self.emit_corner_arc(block, rapid, toward, side);
+    }
+
+    fn new_vector(&mut self, side: Side, settled: bool) {
+        self.emit_new_vector(side, settled);
     }
 }

@@ -6,14 +6,16 @@
 //! kept, for they follow the pending block without a gap. [TRC-LOOK-02]
 
 mod ending;
+mod transition;
+mod vector;
 
 use radcomp_spec::parameters::{
-    Cancel, CancelWithoutMovement, PendingAtAlarm, SameCode, SideChange, SideChangeAfterStartUp, StartUp, StartUpArc,
-    StartUpLost, StartUpWithoutMovement,
+    Cancel, CancelVector, CancelWithoutMovement, OffsetChange, PendingAtAlarm, SameCode, SideChange,
+    SideChangeAfterStartUp, SideCodeVector, StartUp, StartUpArc, StartUpLost, StartUpWithoutMovement,
 };
 use radcomp_spec::{Alarm, AlarmKind, Compensation, Parameters, Side, clause};
 
-use crate::geometry::{Begin, End, Event, Geometry, Kind, Meeting};
+use crate::geometry::{Begin, End, Event, Geometry, Kind};
 use crate::held::Held;
 
 /// The modes of compensation.
@@ -39,9 +41,11 @@ enum Start {
     /// It is a block without movement that may start up; cancel mode is in force until an element follows.
     /// [TRC-START-08]
     Shift,
+    /// It is no element but a corner arc that waits for the next one. [TRC-VEC-03]
+    CornerArc,
 }
 
-/// The pending element.
+/// The pending element, or a block that waits in its place.
 #[derive(Clone, Copy, Debug)]
 struct Pending {
     block: usize,
@@ -62,6 +66,9 @@ struct Policy {
     at_alarm: PendingAtAlarm,
     side_change: SideChange,
     after_start_up: SideChangeAfterStartUp,
+    side_vector: SideCodeVector,
+    cancel_vector: CancelVector,
+    offset_change: OffsetChange,
     /// Blocks without movement allowed between two moves.
     allowed: usize,
 }
@@ -100,6 +107,9 @@ impl Window {
             at_alarm: parameters.pending_at_alarm,
             side_change: parameters.side_change,
             after_start_up: parameters.side_change_after_start_up,
+            side_vector: parameters.side_code_vector,
+            cancel_vector: parameters.cancel_vector,
+            offset_change: parameters.offset_change,
             allowed: parameters.non_moving_allowed.map_or(usize::MAX, usize::from),
         };
         Window {
@@ -152,7 +162,7 @@ impl Window {
         // The last of several blocks that start up without movement is the start-up block. [TRC-START-08]
         let starts_again = self.shift_waits() && event.kind == Kind::Still && event.code.is_some();
         let in_mode = self.mode == Mode::Offset || self.shift_waits() && !starts_again;
-        if event.other_radius && in_mode && !off {
+        if event.other_radius && in_mode && !off && self.policy.offset_change == OffsetChange::Alarm {
             return self.fault(block, AlarmKind::OffsetChangedInMode, geometry);
         }
         if let Some(kind) = event.not_in_mode {
@@ -171,123 +181,46 @@ impl Window {
     fn same_code<G: Geometry>(&mut self, block: usize, geometry: &mut G) -> Result<(), Alarm> {
         match self.policy.same_code {
             SameCode::Alarm => self.fault(block, AlarmKind::SameCode, geometry),
-            SameCode::Normal if self.mode == Mode::Offset => {
+            // A corner arc that waits has ended the element before it. [TRC-VEC-03]
+            SameCode::Normal if self.mode == Mode::Offset && !self.corner_waits() => {
                 self.settle(End::Normal(clause::TRC_MODE_05), clause::TRC_LOOK_02, geometry)
             }
             SameCode::Normal | SameCode::Ordinary => Ok(()),
         }
     }
 
-    /// A block of cancel mode with G40 in force.
-    #[inline(never)]
-    fn follow<G: Geometry>(&mut self, block: usize, event: Event, geometry: &mut G) -> Result<(), Alarm> {
-        self.release(geometry);
-        let cancels = self.mode == Mode::Cancelling;
-        match event.kind {
-            Kind::Still | Kind::Dummy => self.stand(block, event, geometry),
-            Kind::Arc if cancels => return self.fault(block, AlarmKind::ArcAtCancel, geometry),
-            Kind::Line | Kind::Arc => {
-                geometry.follow(if cancels { clause::TRC_CANCEL_03 } else { clause::TRC_MODE_01 });
-                (self.mode, self.lost) = (Mode::Cancel, false);
-            }
-        }
-        Ok(())
-    }
-
-    /// A block of cancel mode with a side in force.
-    #[inline(never)]
-    fn start_up<G: Geometry>(&mut self, block: usize, event: Event, side: Side, g: &mut G) -> Result<(), Alarm> {
-        let entry = match event.kind {
-            Kind::Line | Kind::Arc | Kind::Dummy if self.shift_waits() => {
-                self.mode = Mode::Offset;
-                return self.compensate(block, event, side, g);
-            }
-            Kind::Still | Kind::Dummy => {
-                self.start_without_movement(block, event, side, g);
-                return Ok(());
-            }
-            Kind::Arc if self.policy.arc == StartUpArc::Alarm => {
-                return self.fault(block, AlarmKind::ArcAtStartUp, g);
-            }
-            Kind::Arc => true,
-            Kind::Line => self.policy.start_up == StartUp::EntryNormal,
-        };
-        if entry && let Err(kind) = g.enter(side) {
-            return self.fault(block, kind, g);
-        }
-        (self.mode, self.side, self.first) = (Mode::Offset, side, true);
-        self.await_end(block, if entry { Start::Entry } else { Start::Block }, event.rapid);
-        g.begin(Begin::StartUp, side);
-        self.stop_behind(event, g)
-    }
-
-    /// A block of cancel mode without movement, a side being in force: it may start up itself. [TRC-START-08]
-    fn start_without_movement<G: Geometry>(&mut self, block: usize, event: Event, side: Side, geometry: &mut G) {
-        let shifts = self.policy.shift_in == StartUpWithoutMovement::Shift && event.code.is_some() && !event.stops;
-        if shifts {
-            self.release(geometry);
-            (self.side, self.first) = (side, true);
-            self.await_end(block, Start::Shift, event.rapid);
-            geometry.begin(Begin::Shift, side);
-        } else if self.shift_waits() && self.may_wait(event) {
-            self.held.push(event.rapid);
-        } else {
-            self.release(geometry);
-            self.stand(block, event, geometry);
-        }
-    }
-
-    /// A block of the offset mode with G40 in it. [TRC-CANCEL-01]
-    #[inline(never)]
-    fn cancel<G: Geometry>(&mut self, block: usize, event: Event, geometry: &mut G) -> Result<(), Alarm> {
-        if event.kind == Kind::Arc {
-            return self.fault(block, AlarmKind::ArcAtCancel, geometry);
-        }
-        let moves = event.kind == Kind::Line;
-        let start_up = self.pending.is_some_and(|pending| pending.start != Start::No);
-        if moves && self.policy.cancel == Cancel::TypeB && self.pending.is_some() && !start_up {
-            match geometry.junction(Meeting::Cancel, self.side) {
-                Ok(junction) => self.settle(End::Junction(junction), clause::TRC_LOOK_02, geometry)?,
-                Err(kind) => return self.fault(block, kind, geometry),
-            }
-            geometry.corner_moves();
-        } else {
-            let clause = if start_up { clause::TRC_START_05 } else { clause::TRC_CANCEL_01 };
-            self.settle(End::Normal(clause), clause::TRC_LOOK_02, geometry)?;
-        }
-        (self.mode, self.lost) = (Mode::Cancel, false);
-        if moves {
-            geometry.follow(clause::TRC_CANCEL_02);
-        } else if self.policy.shift_out == CancelWithoutMovement::Shift {
-            geometry.retreat();
-        } else {
-            self.mode = Mode::Cancelling;
-            geometry.hold(block, event.rapid, clause::TRC_CANCEL_03);
-        }
-        Ok(())
-    }
-
     /// A block of the offset mode.
     #[inline(always)]
     fn compensate<G: Geometry>(&mut self, block: usize, event: Event, side: Side, g: &mut G) -> Result<(), Alarm> {
         match event.kind {
+            Kind::NewVector | Kind::CornerArc | Kind::CornerToNext => self.vector_block(block, event, side, g),
+            // [TRC-VEC-06]
+            Kind::Still if self.gives_vector(event) => self.vector_block(block, event, side, g),
             Kind::Still => self.wait(block, event, g),
+            Kind::HeldVector => self.hold_vector(block, event, side, g),
+            Kind::Line if self.gives_vector(event) => self.move_to_vector(block, event, side, g),
             // [TRC-DUMMY-02]: the junction is settled already.
             Kind::Dummy if self.pending.is_none() => {
                 g.hold(block, event.rapid, clause::TRC_DUMMY_02);
                 Ok(())
             }
             Kind::Dummy => {
+                let joins = self.joins();
                 self.meet(block, side, g)?;
-                g.corner_moves();
+                if joins {
+                    g.corner_moves();
+                }
                 g.hold(block, event.rapid, clause::TRC_DUMMY_02);
                 Ok(())
             }
             Kind::Line | Kind::Arc => {
-                if event.kind == Kind::Arc && self.side_fault(side).is_none() && !g.tool_fits(side) {
-                    return self.fault(block, AlarmKind::RadiusTooSmall, g);
+                if event.kind == Kind::Arc
+                    && self.side_fault(side).is_none()
+                    && let Some(kind) = g.arc_fault(side, self.joins())
+                {
+                    return self.fault(block, kind, g);
                 }
-                let begin = if self.pending.is_some() { Begin::Junction } else { Begin::Settled };
+                let begin = if self.joins() { Begin::Junction } else { Begin::Settled };
                 self.meet(block, side, g)?;
                 self.await_end(block, Start::No, event.rapid);
                 g.begin(begin, side);

@@ -3,7 +3,7 @@
 mod common;
 
 use common::SEED_MILL;
-use radcomp_impl::geometry::{Begin, End, Event, Geometry, Kind, Meeting};
+use radcomp_impl::geometry::{Begin, End, Event, Geometry, Kind, Meeting, Toward};
 use radcomp_impl::window::Window;
 use radcomp_spec::parameters::*;
 use radcomp_spec::{Alarm, AlarmKind, Clause, Compensation, Parameters, Side};
@@ -34,8 +34,9 @@ impl Watch {
 impl Geometry for Watch {
     type Junction = ();
 
-    fn tool_fits(&mut self, _: Side) -> bool {
-        self.bad & 1 == 0
+    fn arc_fault(&mut self, _: Side, joins: bool) -> Option<AlarmKind> {
+        assert_eq!(joins, self.pending.is_some(), "an arc joins the element before it");
+        (self.bad & 1 != 0).then_some(AlarmKind::RadiusTooSmall)
     }
 
     fn enter(&mut self, _: Side) -> Result<(), AlarmKind> {
@@ -82,6 +83,17 @@ impl Geometry for Watch {
         assert_eq!((self.pending, self.next), (None, self.read));
         self.pending = Some(self.read);
     }
+
+    fn corner_arc(&mut self, block: usize, is_rapid: bool, toward: Toward, _: Side) {
+        assert_eq!(is_rapid, rapid(block));
+        assert_eq!((self.pending, toward == Toward::Vector), (None, block == self.read));
+        self.emit(block);
+    }
+
+    fn new_vector(&mut self, _: Side, _: bool) {
+        assert_eq!(self.pending, None, "the element before has ended");
+        self.emit(self.read);
+    }
 }
 
 fn events() -> Vec<Event> {
@@ -95,7 +107,14 @@ fn events() -> Vec<Event> {
     let stopping_code = Event { stops: true, code: sides[0], ..Event::of(Kind::Still) };
     let swapped = Event { swapped: true, ..Event::of(Kind::Line) };
     let not_in_mode = Event { not_in_mode: Some(AlarmKind::ToolChangeInMode), ..Event::of(Kind::Still) };
-    plain.chain(stops).chain([zero_length, stopping_code, swapped, not_in_mode]).collect()
+    let vectors = [Kind::HeldVector, Kind::NewVector, Kind::CornerArc, Kind::CornerToNext].map(Event::of);
+    let no_length = Event { vector_code: true, ..Event::of(Kind::Still) };
+    let stopping_corner = Event { stops: true, ..Event::of(Kind::CornerToNext) };
+    let beside = [Kind::Still, Kind::Line]
+        .into_iter()
+        .flat_map(|kind| [codes[1], codes[2]].map(|code| Event { code, vector: true, ..Event::of(kind) }));
+    let given = vectors.into_iter().chain([no_length, stopping_corner]).chain(beside);
+    plain.chain(stops).chain([zero_length, stopping_code, swapped, not_in_mode]).chain(given).collect()
 }
 
 /// Everything before the alarm's block has been emitted, and nothing of it or after it.
@@ -200,6 +219,24 @@ fn all_sequences_of_every_start_and_end() {
                     }
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn all_sequences_with_vectors_and_other_offsets() {
+    for same_code in [SameCode::Ordinary, SameCode::Normal] {
+        for cancel in [Cancel::TypeA, Cancel::TypeB] {
+            let parameters = Parameters {
+                same_code,
+                cancel,
+                side_code_vector: SideCodeVector::RightAngles,
+                cancel_vector: CancelVector::ImaginaryLine,
+                offset_change: OffsetChange::EndOfBlock,
+                non_moving_allowed: Some(1),
+                ..SEED_MILL
+            };
+            explore_all(&parameters, 3);
         }
     }
 }

@@ -69,6 +69,13 @@ pub fn parameters(choice: &mut impl Choice) -> Parameters {
         equal_radius: choice.of(&[EqualRadius::Alarm, EqualRadius::DegeneratePoint]),
         zero_length_move: choice.of(&[ZeroLengthMove::NoMovement, ZeroLengthMove::BreaksLookAhead]),
         pending_at_alarm: choice.of(&[PendingAtAlarm::Ended, PendingAtAlarm::Lost]),
+        side_code_vector: choice.of(&[
+            SideCodeVector::RightAngles,
+            SideCodeVector::ImaginaryLine,
+            SideCodeVector::ImaginaryPoint,
+        ]),
+        cancel_vector: choice.of(&[CancelVector::Refused, CancelVector::ImaginaryLine]),
+        offset_change: choice.of(&[OffsetChange::Alarm, OffsetChange::EndOfBlock]),
         ..crate::look_ahead::parameters(choice, MOST_NON_MOVING)
     }
 }
@@ -154,6 +161,24 @@ pub fn block(choice: &mut impl Choice, kinds: u8) -> Block<f64> {
     }
 }
 
+/// A block with few choices that may give a vector: a straight move, a vector block, or none, and a code.
+fn given_block(choice: &mut impl Choice) -> Block<f64> {
+    let (left, right) = (Compensation::On(Side::Left), Compensation::On(Side::Right));
+    let kind = choice.below(6);
+    let point = if matches!(kind, 0 | 5) { [0.0; 2] } else { [choice.number(), choice.number()] };
+    let movement = match kind {
+        0 => Movement::None,
+        1 => Movement::Line { end: point },
+        2 => Movement::HeldVector { end: point },
+        3 => Movement::NewVector { vector: point },
+        4 => Movement::CornerArc { vector: Some(point) },
+        _ => Movement::CornerArc { vector: None },
+    };
+    let compensation = choice.of(&[None, Some(right), Some(left), Some(Compensation::Off)]);
+    let beside = compensation.is_some() && kind < 2 && choice.flag();
+    Block { compensation, vector: beside.then(|| [choice.number(), choice.number()]), ..Block::moving(movement) }
+}
+
 /// A block with few choices, for longer programs: a movement, and a code.
 fn short_block(choice: &mut impl Choice, kinds: u8) -> Block<f64> {
     let (left, right) = (Compensation::On(Side::Left), Compensation::On(Side::Right));
@@ -230,6 +255,15 @@ pub fn one_block(choice: &mut impl Choice, kinds: u8) {
 
 /// Harness: up to `blocks` blocks behind a start-up code and a radius.
 pub fn programs(choice: &mut impl Choice, parameters: &Parameters, blocks: u8, kinds: u8) {
+    programs_of(choice, parameters, blocks, |choice| short_block(choice, kinds));
+}
+
+/// Harness: the same with blocks that give vectors.
+pub fn programs_with_vectors(choice: &mut impl Choice, parameters: &Parameters, blocks: u8) {
+    programs_of(choice, parameters, blocks, given_block);
+}
+
+fn programs_of<C: Choice>(choice: &mut C, parameters: &Parameters, blocks: u8, block: impl Fn(&mut C) -> Block<f64>) {
     let mut trial = Trial::new(parameters);
     let side = choice.of(&[Side::Left, Side::Right]);
     let radius = choice.of(&[1.0, 0.0]);
@@ -237,7 +271,7 @@ pub fn programs(choice: &mut impl Choice, parameters: &Parameters, blocks: u8, k
     let mut result = trial.push(&start);
     for _ in 0..blocks {
         if result.is_ok() {
-            result = trial.push(&short_block(choice, kinds));
+            result = trial.push(&block(choice));
         }
     }
     if trial.ledger.steps > trial.ledger.next {

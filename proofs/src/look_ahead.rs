@@ -23,6 +23,8 @@ pub struct LookAhead {
     watch: Watch,
     /// The most blocks that it may hold.
     capacity: usize,
+    /// Blocks that give vectors are among the events.
+    vectors: bool,
 }
 
 impl LookAhead {
@@ -30,7 +32,9 @@ impl LookAhead {
     #[must_use]
     pub fn new(parameters: &Parameters) -> LookAhead {
         let capacity = parameters.non_moving_allowed.map_or(usize::MAX, |allowed| 1 + usize::from(allowed));
-        LookAhead { window: Window::new(parameters), watch: Watch::new(parameters), capacity }
+        // Without them what they mean does not matter.
+        let vectors = parameters.side_code_vector == SideCodeVector::RightAngles;
+        LookAhead { window: Window::new(parameters), watch: Watch::new(parameters), capacity, vectors }
     }
 
     /// The same with another claim of its capacity: what a false twin holds it to.
@@ -47,7 +51,7 @@ impl LookAhead {
     /// # Panics
     /// When the look-ahead breaks a promise.
     pub fn read(&mut self, event: Event, choice: &mut impl Choice) -> Result<(), Alarm> {
-        let LookAhead { window, watch, capacity } = self;
+        let LookAhead { window, watch, capacity, .. } = self;
         let block = watch.read;
         watch.begin_block(event);
         let result = window.read(block, event, &mut Answers { watch, choice });
@@ -60,7 +64,11 @@ impl LookAhead {
                 watch.end_block();
                 assert!(window.held() <= *capacity, "more held than the capacity");
                 assert!(watch.next + window.held() == watch.read, "every block is handed on or held");
-                assert!(watch.pending.is_some() == (window.held() > 0), "an element is pending when blocks are held");
+                let waits = watch.pending.is_some() || watch.corner.is_some();
+                assert!(waits == (window.held() > 0), "an element or a corner arc is pending when blocks are held");
+                assert!(!event.vector_code || watch.asked.is_some(), "a vector block outside offset mode is an alarm");
+                let moves_at_once = event.vector_code && event.kind != Kind::Still && event.kind != Kind::CornerToNext;
+                assert!(!moves_at_once || window.held() == 0, "behind a vector block the junction is settled");
                 assert!(event.not_in_mode.is_none(), "a code that is not for offset mode is an alarm");
                 let shift = |block| watch.pending.is_some_and(|held| (held.block, held.begin) == (block, Begin::Shift));
                 let breaks = event.stops || event.zero_length && !shift(block);
@@ -99,17 +107,21 @@ impl LookAhead {
     /// The state but for how many blocks came before: two states with the same key behave alike from here on.
     #[must_use]
     pub fn key(&self) -> String {
-        let Watch { next, read, pending, asked, .. } = self.watch;
+        let Watch { next, read, pending, corner, asked, .. } = self.watch;
         let owed = (next..read).map(|block| self.watch.rapid(block));
         let owed: String = owed.map(|rapid| if rapid { 'r' } else { 'f' }).collect();
         // The one number of a block in the window's state is that of the pending element, the first block owed.
-        assert!(pending.is_none_or(|pending| pending.block == next));
-        format!("{:?} {pending:?} {asked:?} {owed}", self.window).replace(&format!("block: {next},"), "block: first,")
+        assert!(
+            pending.map(|pending| pending.block).or(corner.map(|corner| corner.0)).is_none_or(|block| block == next)
+        );
+        let corner = corner.map(|(_, side)| side);
+        format!("{:?} {pending:?} {corner:?} {asked:?} {owed}", self.window)
+            .replace(&format!("block: {next},"), "block: first,")
     }
 }
 
-/// Any event that a block may tell; where `rates` is not set, all are at feed rate.
-pub fn event(choice: &mut impl Choice, rates: bool) -> Event {
+/// Any event that a block may tell this look-ahead; where `rates` is not set, all are at feed rate.
+pub fn event(look_ahead: &LookAhead, choice: &mut impl Choice, rates: bool) -> Event {
     let (left, right) = (Compensation::On(Side::Left), Compensation::On(Side::Right));
     let event = Event {
         code: choice.of(&[None, Some(Compensation::Off), Some(left), Some(right)]),
@@ -117,14 +129,41 @@ pub fn event(choice: &mut impl Choice, rates: bool) -> Event {
         rapid: rates && choice.flag(),
         swapped: choice.flag(),
         stops: choice.flag(),
-        ..Event::of(choice.of(&[Kind::Still, Kind::Dummy, Kind::Line, Kind::Arc]))
+        ..Event::of(Kind::Still)
     };
+    // Another radius is an alarm or nothing, whatever the vectors of its block.
+    let vectors = look_ahead.vectors && !event.other_radius;
+    let kinds = if vectors { KINDS.len() } else { 4 };
+    let event = Event { code: event.code, ..merged(event, choice.of(&KINDS[..kinds])) };
+    let vectors = vectors && !event.vector_code;
+    let vector = vectors && event.code.is_some() && matches!(event.kind, Kind::Still | Kind::Line) && choice.flag();
     if event.kind != Kind::Still {
-        return event;
+        return Event { vector, ..event };
+    }
+    if vector {
+        return Event { vector, zero_length: choice.flag(), ..event };
     }
     // A move of length zero does not move, and a block with a code that is not for offset mode is not looked at further.
     let not_in_mode = choice.of(&[None, Some(AlarmKind::ToolChangeInMode)]);
-    Event { zero_length: not_in_mode.is_none() && choice.flag(), not_in_mode, ..event }
+    let vector_code = vectors && not_in_mode.is_none() && choice.flag();
+    Event { zero_length: not_in_mode.is_none() && choice.flag(), not_in_mode, vector_code, ..event }
+}
+
+/// The kinds of movement, vector blocks behind the others.
+const KINDS: [Kind; 8] = [
+    Kind::Still,
+    Kind::Dummy,
+    Kind::Line,
+    Kind::Arc,
+    Kind::HeldVector,
+    Kind::NewVector,
+    Kind::CornerArc,
+    Kind::CornerToNext,
+];
+
+/// The marks of an event on a block of this kind.
+fn merged(event: Event, kind: Kind) -> Event {
+    Event { kind, vector_code: Event::of(kind).vector_code, ..event }
 }
 
 /// Any parameters that the look-ahead reads, with at most `allowed` blocks without movement, or any number; the others
@@ -136,6 +175,29 @@ pub fn parameters(choice: &mut impl Choice, allowed: u8) -> Parameters {
         (SideChange::TwoNormals, SideChangeAfterStartUp::Alarm),
         (SideChange::Forbidden, SideChangeAfterStartUp::Alarm),
     ]);
+    let (side_code_vector, cancel_vector, offset_change) = choice.of(&[
+        (SideCodeVector::Refused, CancelVector::Refused, OffsetChange::Alarm),
+        (SideCodeVector::RightAngles, CancelVector::ImaginaryLine, OffsetChange::EndOfBlock),
+    ]);
+    // With vectors among the events the ways of start-up and cancel that they do not touch come in one mixture.
+    if side_code_vector == SideCodeVector::RightAngles {
+        return Parameters {
+            start_up: choice.of(&[StartUp::TypeA, StartUp::EntryNormal]),
+            start_up_lost: StartUpLost::NoVector,
+            start_up_without_movement: StartUpWithoutMovement::Shift,
+            start_up_arc: StartUpArc::MovedCentre,
+            cancel: choice.of(&[Cancel::TypeA, Cancel::TypeB]),
+            cancel_without_movement: CancelWithoutMovement::Shift,
+            same_code: choice.of(&[SameCode::Ordinary, SameCode::Normal]),
+            side_change,
+            side_change_after_start_up,
+            side_code_vector,
+            cancel_vector,
+            offset_change,
+            non_moving_allowed: Some(choice.below(allowed + 2)).filter(|count| *count <= allowed),
+            ..crate::engine::plain()
+        };
+    }
     Parameters {
         start_up: choice.of(&[StartUp::TypeA, StartUp::EntryNormal]),
         start_up_lost: choice.of(&[StartUpLost::Normal, StartUpLost::NoVector]),
@@ -146,6 +208,9 @@ pub fn parameters(choice: &mut impl Choice, allowed: u8) -> Parameters {
         same_code: choice.of(&[SameCode::Ordinary, SameCode::Normal, SameCode::Alarm]),
         side_change,
         side_change_after_start_up,
+        side_code_vector,
+        cancel_vector,
+        offset_change,
         non_moving_allowed: Some(choice.below(allowed + 2)).filter(|count| *count <= allowed),
         ..crate::engine::plain()
     }
@@ -166,7 +231,7 @@ pub fn programs_under(choice: &mut impl Choice, parameters: &Parameters, events:
         if choice.flag() {
             break;
         }
-        if look_ahead.read(event(choice, rates), choice).is_err() {
+        if look_ahead.read(event(&look_ahead, choice, rates), choice).is_err() {
             return;
         }
     }
@@ -174,16 +239,23 @@ pub fn programs_under(choice: &mut impl Choice, parameters: &Parameters, events:
 }
 
 /// The places that [`programs`] must reach.
-pub const PLACES: [&str; 14] = [
+pub const PLACES: [&str; 21] = [
     "a block held and handed on later",
     "a cancel of type B",
+    "a cancel with an imaginary line",
     "a cancel without movement",
     "a change of side",
     "a corner",
+    "a corner arc to a vector",
+    "a corner arc to the next element",
+    "a corner arc without a next element",
+    "a held vector",
+    "a new vector",
     "a start-up",
     "a start-up without movement",
     "a start-up without movement that is none",
     "a start-up without vector",
+    "a vector of a move",
     "an alarm",
     "an alarm at the pending block",
     "an end without alarm",

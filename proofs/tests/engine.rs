@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use radcomp_proofs::choice::{Bytes, Exhaustive, Visited};
-use radcomp_proofs::engine::{after_an_alarm, one_block, parameters, plain, programs};
+use radcomp_proofs::engine::{after_an_alarm, one_block, parameters, plain, programs, programs_with_vectors};
 use radcomp_spec::Parameters;
 use radcomp_spec::parameters::*;
 
@@ -92,6 +92,16 @@ fn every_program_of_three_lines_and_arcs() {
     );
 }
 
+#[test]
+fn every_program_of_three_blocks_with_vectors() {
+    let mut visited = Visited::default();
+    for side_code_vector in [SideCodeVector::RightAngles, SideCodeVector::ImaginaryLine] {
+        let parameters = Parameters { side_code_vector, cancel_vector: CancelVector::ImaginaryLine, ..plain() };
+        Exhaustive::search_on(&[0.0, 1.0], &mut visited, |choice| programs_with_vectors(choice, &parameters, 3));
+    }
+    tell("three blocks with vectors", &visited, &["a corner move", "an alarm", "an end without alarm"]);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 50_000, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -99,7 +109,8 @@ proptest! {
     fn any_bit_pattern(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
         let mut choice = Bytes(&bytes);
         let parameters = parameters(&mut choice);
-        programs(&mut choice, &parameters, 24, 4);
+        programs(&mut choice, &parameters, 12, 4);
+        programs_with_vectors(&mut choice, &parameters, 12);
         one_block(&mut choice, 4);
         after_an_alarm(&mut choice, 4);
     }

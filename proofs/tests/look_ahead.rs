@@ -59,7 +59,7 @@ impl Graph {
         let (mut next, mut alarms) = (HashMap::new(), 0);
         Exhaustive::search_on(&[], visited, |choice| {
             let mut state = state.clone();
-            match state.read(event(choice, self.rates), choice) {
+            match state.read(event(&state, choice, self.rates), choice) {
                 Ok(()) => *next.entry(self.number(state)).or_default() += 1,
                 Err(_) => alarms += 1,
             }
@@ -118,6 +118,9 @@ fn two_sets(non_moving_allowed: Option<u8>) -> [Parameters; 2] {
         cancel: Cancel::TypeB,
         cancel_without_movement: CancelWithoutMovement::Shift,
         same_code: SameCode::Normal,
+        side_code_vector: SideCodeVector::RightAngles,
+        cancel_vector: CancelVector::ImaginaryLine,
+        offset_change: OffsetChange::EndOfBlock,
         non_moving_allowed,
         ..plain()
     };
@@ -188,7 +191,7 @@ impl Total {
 #[test]
 fn every_sequence_under_every_profile() {
     let all = all_parameters(2);
-    assert_eq!(all.len(), 2 * 2 * 2 * 2 * 2 * 2 * 3 * 3 * 4);
+    assert_eq!(all.len(), 2 * 2 * 2 * 2 * 2 * 2 * 3 * 3 * 4 + 2 * 2 * 2 * 3 * 4);
     let bounded: Vec<_> = all.into_iter().filter(|parameters| parameters.non_moving_allowed.is_some()).collect();
     Total::of(&bounded, false).tell("sequences of any length at feed rate");
 }
@@ -210,7 +213,7 @@ fn states_stand_for_sequences() {
         let mut plain = 0;
         Exhaustive::search(&[], |choice| {
             let mut state = LookAhead::new(parameters);
-            let _ = (0..3).try_for_each(|_| state.read(event(choice, false), choice));
+            let _ = (0..3).try_for_each(|_| state.read(event(&state, choice, false), choice));
             plain += 1;
         });
         let graph = Graph::explore(LookAhead::new(parameters), false, usize::MAX, &mut Visited::default());

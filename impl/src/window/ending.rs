@@ -37,7 +37,7 @@ impl Window {
         if let Some(kind) = self.side_fault(side) {
             return self.fault(block, kind, geometry);
         }
-        if let Some(pending) = self.pending {
+        if let Some(pending) = self.pending.filter(|_| self.joins()) {
             let junction = if side == self.side && matches!(pending.start, Start::No | Start::Entry) {
                 geometry.junction(Meeting::Corner, side)
             } else {
@@ -47,6 +47,8 @@ impl Window {
                 Ok(junction) => self.settle(End::Junction(junction), clause::TRC_LOOK_02, geometry)?,
                 Err(kind) => return self.fault(block, kind, geometry),
             }
+        } else {
+            self.end_corner_arc(geometry);
         }
         (self.side, self.first, self.lost) = (side, false, false);
         Ok(())
@@ -102,8 +104,10 @@ impl Window {
 
     #[cold]
     fn lose_at_once<G: Geometry>(&mut self, geometry: &mut G) -> Result<(), Alarm> {
+        // Behind a corner arc there is no junction to lose. [TRC-VEC-03]
+        let lost = self.joins();
         self.lose(clause::TRC_LOOK_03, geometry)?;
-        self.lost = true;
+        self.lost = lost;
         Ok(())
     }
 
@@ -113,7 +117,7 @@ impl Window {
         self.release(geometry);
         let Some(pending) = self.pending else { return Ok(()) };
         let end = match (pending.start, self.policy.start_up_lost) {
-            (Start::No | Start::Shift, _) => End::Normal(clause),
+            (Start::No | Start::Shift | Start::CornerArc, _) => End::Normal(clause),
             (Start::Block, StartUpLost::Normal) | (Start::Entry, _) => End::Normal(clause::TRC_START_04),
             (Start::Block, StartUpLost::NoVector) => {
                 self.mode = Mode::Cancel;
@@ -128,10 +132,19 @@ impl Window {
         self.pending.is_some_and(|pending| pending.start == Start::Shift)
     }
 
-    /// Makes a start-up block without movement, if one waits, an ordinary block without movement. [TRC-START-08]
+    /// Makes a start-up block without movement or a corner arc, if one waits, a block that moves nothing.
+    /// [TRC-START-08], [TRC-VEC-03]
     pub(super) fn release<G: Geometry>(&mut self, geometry: &mut G) {
-        if let Some(pending) = self.pending.take_if(|pending| pending.start == Start::Shift) {
-            geometry.hold(pending.block, pending.rapid, clause::TRC_LOOK_01);
+        let waits = |start: Start| match start {
+            Start::Shift => Some(clause::TRC_LOOK_01),
+            Start::CornerArc => Some(clause::TRC_VEC_03),
+            Start::No | Start::Block | Start::Entry => None,
+        };
+        if let Some(pending) = self.pending
+            && let Some(clause) = waits(pending.start)
+        {
+            self.pending = None;
+            geometry.hold(pending.block, pending.rapid, clause);
             self.emit_held(pending.block, clause::TRC_LOOK_01, geometry);
         }
     }
@@ -161,7 +174,7 @@ impl Window {
     }
 
     #[inline(never)]
-    fn emit_held<G: Geometry>(&mut self, before: usize, clause: Clause, geometry: &mut G) {
+    pub(super) fn emit_held<G: Geometry>(&mut self, before: usize, clause: Clause, geometry: &mut G) {
         let held = core::mem::replace(&mut self.held, Held::none());
         let mut block = before;
         for rapid in held.rapid() {
@@ -177,7 +190,7 @@ fn rare_junction<G: Geometry>(start: Start, side: Side, geometry: &mut G) -> Res
     let meeting = match start {
         Start::Block => Meeting::StartUp,
         Start::Shift => Meeting::Shift,
-        Start::No | Start::Entry => Meeting::SideChange,
+        Start::No | Start::Entry | Start::CornerArc => Meeting::SideChange,
     };
     geometry.junction(meeting, side)
 }

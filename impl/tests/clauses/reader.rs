@@ -2,12 +2,13 @@
 
 use radcomp_spec::parameters::*;
 use radcomp_spec::profile::{Machine, Profile};
-use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
+use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner, Parameters, Side};
 
 /// A program reader; the fields are its modal state.
 pub struct Reader {
     machine: Machine,
     activation: [Activation; 5],
+    parameters: Parameters,
     /// Number and radius.
     tools: Vec<(u32, f64)>,
     plane: [char; 2],
@@ -28,6 +29,7 @@ impl Reader {
         Reader {
             machine: profile.machine,
             activation: profile.activation,
+            parameters: profile.parameters,
             tools,
             plane: match profile.machine.plane {
                 Plane::Xy => ['X', 'Y'],
@@ -77,7 +79,8 @@ impl Reader {
         block.rapid = self.motion == 0;
         // The words of a dwell are its time.
         if !words.contains(&('G', 4.0)) {
-            self.read_movement(&word, &mut block);
+            let code = words.iter().find(|word| word.0 == 'G' && [38.0, 39.0].contains(&word.1));
+            self.read_movement(&word, code.map(|code| code.1 as u32), &mut block);
         }
         block
     }
@@ -137,7 +140,18 @@ impl Reader {
         }
     }
 
-    fn read_movement(&mut self, word: &impl Fn(char) -> Option<f64>, block: &mut Block<f64>) {
+    /// Whether I, J, K beside a compensation code mean something. [TRC-START-10], [TRC-CANCEL-08]
+    fn gives_vector(&self, code: Option<Compensation>) -> bool {
+        match code {
+            None => false,
+            Some(Compensation::Off) => self.parameters.cancel_vector != CancelVector::Refused,
+            Some(Compensation::On(_)) => self.parameters.side_code_vector != SideCodeVector::Refused,
+        }
+    }
+
+    /// `vector_code` is 38 or 39. [TRC-VEC-01]
+    fn read_movement(&mut self, word: &impl Fn(char) -> Option<f64>, vector_code: Option<u32>, block: &mut Block<f64>) {
+        let before = self.position;
         let mut any_axis = false;
         for (axis, letter) in AXES.chars().enumerate() {
             if let Some(value) = word(letter) {
@@ -153,15 +167,28 @@ impl Reader {
         let arc = self.motion >= 2;
         let centre = self.plane.map(|letter| {
             let letter = CENTRES.chars().nth(AXES.find(letter).unwrap()).unwrap();
-            let halved = self.machine.dummy_first_axis == Measure::Diameter && !arc && letter == 'I';
-            word(letter).unwrap_or(0.0) / if halved { 2.0 } else { 1.0 }
+            word(letter).unwrap_or(0.0)
         });
-        block.movement = if arc && (moves || has_centre) {
+        if vector_code == Some(39) {
+            // The programmed point does not move.
+            let from = self.plane.map(|letter| before[AXES.find(letter).unwrap()]);
+            let vector = if has_centre { centre } else { [end[0] - from[0], end[1] - from[1]] };
+            (self.position, block.movement) =
+                (before, Movement::CornerArc { vector: (has_centre || any_axis).then_some(vector) });
+            return;
+        }
+        let gives_vector = has_centre && !arc && self.gives_vector(block.compensation);
+        block.vector = gives_vector.then_some(centre);
+        block.movement = if vector_code.is_some() {
+            if any_axis { Movement::HeldVector { end } } else { Movement::NewVector { vector: centre } }
+        } else if arc && (moves || has_centre) {
             let direction = if self.motion == 2 { Direction::Clockwise } else { Direction::Counterclockwise };
             let centre = word('R').map_or(Centre::FromStart(centre), Centre::Radius);
             Movement::Arc { end, centre, direction }
-        } else if !arc && has_centre && !any_axis {
-            Movement::Dummy { vector: centre }
+        } else if !arc && has_centre && !any_axis && !gives_vector {
+            let halved = self.machine.dummy_first_axis == Measure::Diameter;
+            let halve = |at: usize| if halved && self.plane[at] == 'X' { centre[at] / 2.0 } else { centre[at] };
+            Movement::Dummy { vector: [halve(0), halve(1)] }
         } else if moves {
             Movement::Line { end }
         } else {

@@ -1,8 +1,8 @@
 //! Stands in for the geometry: answers as it is told, and watches what it is asked to emit and in which order.
 
-use radcomp_impl::geometry::{Begin, End, Event, Geometry, Meeting};
+use radcomp_impl::geometry::{Begin, End, Event, Geometry, Kind, Meeting, Toward};
 use radcomp_spec::parameters::StartUpLost;
-use radcomp_spec::{Alarm, AlarmKind, Clause, Compensation, Parameters, Side};
+use radcomp_spec::{Alarm, AlarmKind, Clause, Compensation, Parameters, Side, clause};
 
 use crate::{Choice, reached};
 
@@ -15,6 +15,8 @@ pub(super) struct Watch {
     pub read: usize,
     /// The pending element.
     pub pending: Option<Awaited>,
+    /// A corner arc that waits for the next element, and its side. [TRC-VEC-03]
+    pub corner: Option<(usize, Side)>,
     /// The rapid flag of block n, at bit n modulo 128: no more than a hundred blocks are ever owed.
     rapid: u128,
     /// A start-up without next element has no vector. [TRC-START-04]
@@ -38,6 +40,12 @@ pub(super) struct Awaited {
 /// What one block has done.
 #[derive(Clone, Copy, Debug, Default)]
 struct Now {
+    /// It is a corner arc to the next element.
+    waits: bool,
+    /// It is an element or a dummy block.
+    meets: bool,
+    /// The element before it has ended for the vector of this block.
+    ended: bool,
     /// The side in force. [TRC-SIDE-07]
     side: Option<Side>,
     /// It is an entry move.
@@ -59,7 +67,8 @@ pub(super) struct Answers<'a, C> {
 impl Watch {
     pub fn new(parameters: &Parameters) -> Watch {
         let no_vector = parameters.start_up_lost == StartUpLost::NoVector;
-        Watch { next: 0, read: 0, pending: None, rapid: 0, no_vector, asked: None, now: Now::default() }
+        let now = Now::default();
+        Watch { next: 0, read: 0, pending: None, corner: None, rapid: 0, no_vector, asked: None, now }
     }
 
     /// A block begins to be read.
@@ -72,7 +81,9 @@ impl Watch {
             None => {}
         }
         let side = self.asked.map(|side| if event.swapped { side.other() } else { side });
-        self.now = Now { side, ..Now::default() };
+        let waits = event.kind == Kind::CornerToNext;
+        let meets = matches!(event.kind, Kind::Line | Kind::Arc | Kind::Dummy | Kind::HeldVector);
+        self.now = Now { side, waits, meets, ..Now::default() };
     }
 
     pub fn rapid(&self, block: usize) -> bool {
@@ -92,12 +103,16 @@ impl Watch {
     /// A block has been read without an alarm.
     pub fn end_block(&mut self) {
         assert!(!self.now.owed, "behind a junction comes an element or its corner moves");
+        if self.now.waits && self.next == self.read {
+            assert!(self.now.ended, "a corner arc waits behind an element that ended for it");
+            self.corner = self.now.side.map(|side| (self.read, side));
+        }
         self.read += 1;
     }
 
     /// Nothing is owed but the block read.
     fn is_at_its_place(&self) -> bool {
-        self.pending.is_none() && self.next == self.read
+        self.pending.is_none() && self.corner.is_none() && self.next == self.read
     }
 }
 
@@ -111,9 +126,10 @@ impl Awaited {
 impl<C: Choice> Geometry for Answers<'_, C> {
     type Junction = ();
 
-    fn tool_fits(&mut self, side: Side) -> bool {
+    fn arc_fault(&mut self, side: Side, joins: bool) -> Option<AlarmKind> {
         assert!(Some(side) == self.watch.now.side, "the tool is on the side in force");
-        self.choice.flag()
+        assert!(joins == self.watch.pending.is_some(), "an arc joins the element that is pending");
+        self.choice.flag().then_some(AlarmKind::RadiusTooSmall)
     }
 
     fn enter(&mut self, side: Side) -> Result<(), AlarmKind> {
@@ -138,16 +154,20 @@ impl<C: Choice> Geometry for Answers<'_, C> {
             Meeting::Corner => follows_an_element && same,
             Meeting::SideChange => follows_an_element && !same,
             // A start-up block before a cancel block has no corner, of whatever type it is. [TRC-CANCEL-05]
-            Meeting::Cancel => pending.begin != Begin::StartUp && follows_an_element && same,
+            Meeting::Cancel | Meeting::CancelLine => pending.begin != Begin::StartUp && follows_an_element && same,
         };
         assert!(right, "elements meet as they were begun");
-        assert!(in_force || meeting == Meeting::Cancel, "an element is met on the side in force");
+        assert!(
+            in_force || matches!(meeting, Meeting::Cancel | Meeting::CancelLine),
+            "an element is met on the side in force"
+        );
         match meeting {
             Meeting::StartUp => reached!(self.choice, "a start-up"),
             Meeting::Shift => reached!(self.choice, "a start-up without movement"),
             Meeting::Corner => reached!(self.choice, "a corner"),
             Meeting::SideChange => reached!(self.choice, "a change of side"),
             Meeting::Cancel => reached!(self.choice, "a cancel of type B"),
+            Meeting::CancelLine => reached!(self.choice, "a cancel with an imaginary line"),
         }
         self.watch.now.formed = self.choice.flag();
         if self.watch.now.formed { Ok(()) } else { Err(AlarmKind::NoIntersection) }
@@ -169,7 +189,19 @@ impl<C: Choice> Geometry for Answers<'_, C> {
                 reached!(self.choice, "a start-up without vector");
                 assert!(starts && self.watch.no_vector, "a start-up block alone ends at its programmed end");
             }
+            End::Vector(side, _) => {
+                if pending.block == self.watch.read {
+                    reached!(self.choice, "a vector of a move");
+                }
+                assert!(Some(side) == self.watch.now.side, "a vector is on the side in force in its block");
+            }
+            End::Held => {
+                reached!(self.choice, "a held vector");
+                assert!(pending.block == self.watch.read && !starts, "a block holds its own vector");
+            }
         }
+        let for_corner = [clause::TRC_VEC_02, clause::TRC_VEC_03].map(End::Normal).contains(&end);
+        self.watch.now.ended = for_corner || matches!(end, End::Vector(..));
         if self.choice.flag() {
             (self.watch.now.joined, self.watch.now.owed) = (formed, formed);
             self.watch.emit(pending.block);
@@ -182,7 +214,9 @@ impl<C: Choice> Geometry for Answers<'_, C> {
 
     fn hold(&mut self, block: usize, rapid: bool, _: Clause) {
         assert!(rapid == self.watch.rapid(block), "a block keeps its rate");
-        if let Some(pending) = self.watch.pending.take() {
+        if self.watch.corner.take_if(|corner| corner.0 == block).is_some() {
+            reached!(self.choice, "a corner arc without a next element");
+        } else if let Some(pending) = self.watch.pending.take() {
             reached!(self.choice, "a start-up without movement that is none");
             assert!(pending.begin == Begin::Shift && pending.block == block, "a block that moves is settled");
         } else if block < self.watch.read {
@@ -221,5 +255,30 @@ impl<C: Choice> Geometry for Answers<'_, C> {
         }
         self.watch.now.owed = false;
         self.watch.pending = Some(Awaited { block: self.watch.read, begin, side, entry });
+    }
+
+    fn corner_arc(&mut self, block: usize, rapid: bool, toward: Toward, side: Side) {
+        assert!(rapid == self.watch.rapid(block), "a block keeps its rate");
+        assert!(self.watch.pending.is_none(), "the element before has ended");
+        match toward {
+            Toward::Vector => {
+                reached!(self.choice, "a corner arc to a vector");
+                assert!(block == self.watch.read && self.watch.now.ended, "a corner arc follows an element");
+                assert!(Some(side) == self.watch.now.side, "a vector is on the side in force in its block");
+            }
+            Toward::Element => {
+                reached!(self.choice, "a corner arc to the next element");
+                assert!(self.watch.corner.take() == Some((block, side)), "a corner arc waits on its own side");
+                assert!(self.watch.now.meets, "a corner arc waits for an element");
+            }
+        }
+        self.watch.emit(block);
+    }
+
+    fn new_vector(&mut self, side: Side, settled: bool) {
+        reached!(self.choice, "a new vector");
+        assert!(self.watch.pending.is_none() && settled != self.watch.now.ended, "a new vector knows what it follows");
+        assert!(Some(side) == self.watch.now.side, "a vector is on the side in force in its block");
+        self.watch.emit(self.watch.read);
     }
 }
