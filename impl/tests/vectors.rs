@@ -98,3 +98,16 @@ fn a_vector_at_right_angles_to_the_start_up_block_is_no_entry_move() {
     let (steps, alarm) = run(&parameters, &[Block { vector: Some([2.0, 0.0]), ..start(9.0) }, line(10.0, 0.0)]);
     assert_eq!((alarm, steps[0].segment.clone()), (None, Segment::Line { end: [5.0, 9.0] }));
 }
+
+#[test]
+fn a_new_vector_has_the_value_before_it_or_that_in_force() {
+    let parameters = Parameters { offset_change: OffsetChange::EndOfBlock, ..SEED_MILL };
+    let larger = Block { radius: Some(2.0), ..new_vector([0.0, -1.0]) };
+    let (steps, alarm) = run(&parameters, &[start(1.0), line(10.0, 0.0), larger.clone()]);
+    assert_eq!((alarm, steps[1].segment.clone()), (None, Segment::Line { end: [11.0, 0.0] }));
+    assert_eq!(steps[2].segment, Segment::Hold);
+    // The junction is settled already.
+    let blocks = [start(1.0), line(10.0, 0.0), new_vector([0.0, -1.0]), larger];
+    let (steps, alarm) = run(&parameters, &blocks);
+    assert_eq!((alarm, steps[3].segment.clone()), (None, Segment::Line { end: [12.0, 0.0] }));
+}
