@@ -32,6 +32,9 @@ fn movement() -> impl Strategy<Value = Movement<f64>> {
         1 => Just(Movement::None),
         4 => point().prop_map(|end| Movement::Line { end }),
         1 => point().prop_map(|vector| Movement::Dummy { vector }),
+        1 => point().prop_map(|end| Movement::HeldVector { end }),
+        1 => point().prop_map(|vector| Movement::NewVector { vector }),
+        1 => prop::option::of(point()).prop_map(|vector| Movement::CornerArc { vector }),
         3 => (point(), centre, sense).prop_map(|(end, centre, direction)| Movement::Arc { end, centre, direction }),
     ]
 }
@@ -51,12 +54,14 @@ fn block() -> impl Strategy<Value = Block<f64>> {
     ];
     let stops = prop::bool::weighted(0.05);
     let not_in_mode = prop_oneof![60 => Just(None), 1 => Just(Some(AlarmKind::ToolChangeInMode))];
-    (movement(), any::<bool>(), code, radius, corner, stops, not_in_mode).prop_map(
-        |(movement, rapid, compensation, radius, corner, stops_look_ahead, not_in_mode)| Block {
+    // Beside an arc too, where no reader gives one.
+    let vector = prop::option::weighted(0.3, [number(), number()]);
+    (movement(), any::<bool>(), code, vector, radius, corner, stops, not_in_mode).prop_map(
+        |(movement, rapid, compensation, vector, radius, corner, stops_look_ahead, not_in_mode)| Block {
             movement,
             rapid,
             compensation,
-            vector: None,
+            vector,
             radius,
             corner,
             stops_look_ahead,
@@ -103,7 +108,8 @@ fn parameters() -> impl Strategy<Value = Parameters> {
         any_of(ZeroLengthMove::VALUES),
         prop::option::weighted(0.9, 0_u8..=8),
     );
-    (start, corners, limits, rest).prop_map(|(start, corners, limits, rest)| Parameters {
+    let vectors = (any_of(SideCodeVector::VALUES), any_of(CancelVector::VALUES), any_of(OffsetChange::VALUES));
+    (start, corners, limits, rest, vectors).prop_map(|(start, corners, limits, rest, vectors)| Parameters {
         start_up: start.0,
         start_up_lost: start.1,
         start_up_b: start.2,
@@ -129,6 +135,9 @@ fn parameters() -> impl Strategy<Value = Parameters> {
         equal_radius: rest.5,
         zero_length_move: rest.6,
         non_moving_allowed: rest.7,
+        side_code_vector: vectors.0,
+        cancel_vector: vectors.1,
+        offset_change: vectors.2,
         ..*SEED_MILL
     })
 }

@@ -221,6 +221,11 @@ fn numbers_out_of_range() {
             arc(Centre::FromStart([number, 0.0])),
             arc(Centre::Radius(number)),
             Block::moving(Movement::Dummy { vector: [0.0, number] }),
+            Block::moving(Movement::HeldVector { end: [0.0, number] }),
+            Block::moving(Movement::NewVector { vector: [number, 0.0] }),
+            Block::moving(Movement::CornerArc { vector: Some([0.0, number]) }),
+            Block { vector: Some([number, 1.0]), ..code(LEFT) },
+            Block { vector: Some([0.0, number]), compensation: Some(LEFT), ..line(9.0, 9.0) },
             Block { radius: Some(number), ..Block::empty() },
         ];
         for block in blocks {

@@ -234,7 +234,7 @@ fn all_sequences_with_vectors_and_other_offsets() {
                 cancel_vector: CancelVector::ImaginaryLine,
                 offset_change: OffsetChange::EndOfBlock,
                 non_moving_allowed: Some(1),
-                ..SEED_MILL
+                ..*SEED_MILL
             };
             explore_all(&parameters, 3);
         }
