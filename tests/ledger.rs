@@ -97,3 +97,14 @@ fn what_the_ledger_gathers_is_there() {
     let look = LEDGER.row("TRC-LOOK-02").unwrap();
     assert!(look.harnesses.iter().any(|harness| harness.name == "look_ahead_of_four_events"), "{:?}", look.harnesses);
 }
+
+#[test]
+fn what_linuxcnc_does_otherwise_stands_in_the_rows_of_its_clauses() {
+    let told: std::collections::BTreeSet<&str> =
+        LEDGER.rows.iter().flat_map(|row| &row.linuxcnc).map(String::as_str).collect();
+    let page = fs::read_to_string(root().join("spec/LINUXCNC.md")).unwrap();
+    let titles: Vec<&str> = page.lines().filter_map(|line| line.strip_prefix("## ")).collect();
+    assert_eq!(told.into_iter().collect::<Vec<_>>(), titles);
+    let row = LEDGER.row("TRC-MODE-10").unwrap();
+    assert_eq!(row.linuxcnc.len(), 2, "{:?}", row.linuxcnc);
+}

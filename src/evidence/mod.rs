@@ -87,7 +87,8 @@ pub struct Row {
     pub lemmas: Vec<String>,
     /// Programs of the campaigns that use it, and what came of them; none if no campaign was given.
     pub campaign: Option<Counts>,
-    /// Differences of LinuxCNC at this clause, from the campaigns with that device.
+    /// Differences of LinuxCNC at this clause: those that `spec/LINUXCNC.md` tells, and those of the campaigns with that
+    /// device.
     pub linuxcnc: Vec<String>,
     /// Mutants of its code that the tests kill: none while nothing measures it.
     pub mutants: Option<u64>,
@@ -124,6 +125,7 @@ impl Ledger {
         let exercises = exercise::exercises();
         let lemmas = proofs::lemmas(root)?;
         let harnesses = proofs::harnesses(root)?;
+        let known = differences(root)?;
         let catalogue = Catalogue::builtin();
         let rows = catalogue.clauses.iter().map(|text| {
             let id = text.clause.id();
@@ -159,7 +161,7 @@ impl Ledger {
                     .map(|(name, _)| name.clone())
                     .collect(),
                 campaign: counts(id, reports),
-                linuxcnc: linuxcnc(id, reports),
+                linuxcnc: [told(id, &known), linuxcnc(id, reports)].concat(),
                 mutants: None,
             }
         });
@@ -224,6 +226,26 @@ fn counts(id: &str, reports: &[Report]) -> Option<Counts> {
         sum.alarms += tally.alarms;
     }
     Some(sum)
+}
+
+/// The differences of `spec/LINUXCNC.md`: the title of each, and the line of its clauses below.
+fn differences(root: &Path) -> Result<Vec<(String, String)>, String> {
+    let path = root.join("spec/LINUXCNC.md");
+    let text = fs::read_to_string(&path).map_err(|reason| format!("{}: {reason}", path.display()))?;
+    let mut lines = text.lines();
+    let mut found = Vec::new();
+    while let Some(line) = lines.next() {
+        if let Some(title) = line.strip_prefix("## LCNC-") {
+            found.push((format!("LCNC-{title}"), lines.next().unwrap_or_default().to_owned()));
+        }
+    }
+    Ok(found)
+}
+
+/// Those of the differences that name the clause.
+fn told(id: &str, differences: &[(String, String)]) -> Vec<String> {
+    let here = differences.iter().filter(|(_, clauses)| clauses.contains(&format!("[{id}]")));
+    here.map(|(title, _)| title.clone()).collect()
 }
 
 fn linuxcnc(id: &str, reports: &[Report]) -> Vec<String> {
