@@ -111,3 +111,16 @@ fn a_new_vector_has_the_value_before_it_or_that_in_force() {
     let (steps, alarm) = run(&parameters, &blocks);
     assert_eq!((alarm, steps[3].segment.clone()), (None, Segment::Line { end: [12.0, 0.0] }));
 }
+
+/// The vector is carried from (-700, ...) to a place where coordinates are finer, and is that which G38 gives there.
+#[test]
+fn a_held_vector_is_not_left_by_its_rounding() {
+    for (radius, x) in [0.0, 0.3, 1.7].into_iter().flat_map(|radius| (1..50).map(move |step| (radius, f64::from(step))))
+    {
+        let held = Block::moving(Movement::HeldVector { end: [x * 0.01, 0.07] });
+        let blocks = [start(radius), new_vector([3.0, 4.0]), line(-700.3 + x, 9.1), new_vector([-0.7, 1.1]), held];
+        let (steps, alarm) = run(&SEED_MILL, &[blocks.to_vec(), vec![new_vector([-0.7, 1.1])]].concat());
+        assert_eq!(alarm, None);
+        assert_eq!(steps[5].segment, Segment::Hold, "{radius} {x}");
+    }
+}
