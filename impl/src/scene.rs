@@ -36,6 +36,9 @@ pub(crate) struct State {
     pub position: Vector,
     /// Where the tool's centre stands at the end of what has been emitted.
     tool: Vector,
+    /// Bounds the coordinates from which moves that hold a vector have carried the tool's centre, and their rounding with
+    /// it; 0: none has since it stood on a vector of its own. [TRC-VEC-04]
+    carried: f64,
     /// The magnitude of the radius that the program has put in force.
     pub radius_in_force: f64,
     /// That radius is negative. [TRC-SIDE-07]
@@ -64,6 +67,7 @@ impl State {
             zero_length_move: parameters.zero_length_move,
             position: zero,
             tool: zero,
+            carried: 0.0,
             radius_in_force: 0.0,
             swapped: false,
             imaginary: zero,
@@ -191,7 +195,7 @@ impl<S: Sink> Geometry for Scene<'_, S> {
 
     #[inline(always)]
     fn settle(&mut self, end: End<()>, start_up: bool) -> Result<(), AlarmKind> {
-        let State { elements, junctions, pending, tool, rules, reversed, .. } = &mut *self.state;
+        let State { elements, junctions, pending, tool, carried, rules, reversed, .. } = &mut *self.state;
         let (pending, next) = places(*pending);
         let (element, start, behind) = (&elements[pending], &junctions[pending], &junctions[next]);
         let tool_before = *tool;
@@ -201,7 +205,7 @@ impl<S: Sink> Geometry for Scene<'_, S> {
             End::Normal(clause) => (element.end_vector(element.radius), clause, true),
             End::Programmed(clause) => (element.end, clause, true),
             End::Vector(side, clause) => (vector::end_of(element, self.given, side), clause, true),
-            End::Held => (from() + (element.end - element.start), clause::TRC_VEC_04, true),
+            End::Held => (element.end + (from() - element.start), clause::TRC_VEC_04, true),
         };
         let degenerate = rules.equal_radius == EqualRadius::DegeneratePoint && element.is_point(element.radius);
         let arc = if degenerate { None } else { element.arc.as_ref() };
@@ -209,6 +213,9 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         let looked_at = *reversed == ReversedPath::Alarm && !start_up && !degenerate && end != End::Held;
         if looked_at && let Some(kind) = wedge::reversed(element, from(), to, full) {
             return Err(kind);
+        }
+        if end == End::Held {
+            *carried = greater(element.scale, magnitude(from()));
         }
         let mut path = PathEnd { tool, sink: self.sink, block: element.block, rapid: element.rapid };
         path.corner_moves(start);
@@ -245,7 +252,8 @@ impl<S: Sink> Geometry for Scene<'_, S> {
     fn retreat(&mut self) {
         let (to, tool) = (self.end, self.state.tool);
         let (last, _) = places(self.state.pending);
-        let scale = greater(magnitude(to), magnitude(tool)) + self.state.elements[last].radius;
+        let scale = greater(greater(magnitude(to), magnitude(tool)), self.state.carried);
+        let scale = scale + self.state.elements[last].radius;
         if sign(magnitude(to - tool), scale) == Ordering::Equal {
             self.hold(self.block, self.rapid, clause::TRC_LOOK_01);
         } else {
@@ -262,6 +270,7 @@ impl<S: Sink> Geometry for Scene<'_, S> {
             Begin::StartUp => {
                 self.complete_settled(side);
                 self.note_imaginary();
+                self.state.carried = 0.0;
             }
             Begin::Shift => {
                 let end = self.end;
@@ -270,6 +279,9 @@ impl<S: Sink> Geometry for Scene<'_, S> {
             }
             Begin::Settled => {
                 self.complete_settled(side);
+                let carried = core::mem::take(&mut self.state.carried);
+                let element = self.state.next();
+                element.scale = greater(element.scale, carried);
                 self.line_in();
             }
         }

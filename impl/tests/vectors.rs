@@ -124,3 +124,16 @@ fn each_block_ends_at_its_own_value() {
     let (_, alarm) = run(&SEED_MILL, &[start(1.0), line(10.0, 0.0), Block { radius: Some(2.0), ..line(20.0, 0.0) }]);
     assert_eq!(alarm, Some(Alarm { block: 2, kind: AlarmKind::OffsetChangedInMode }));
 }
+
+/// The vector is carried from (-700, ...) to a place where coordinates are finer, and is that which G38 gives there.
+#[test]
+fn a_held_vector_is_not_left_by_its_rounding() {
+    for (radius, x) in [0.0, 0.3, 1.7].into_iter().flat_map(|radius| (1..50).map(move |step| (radius, f64::from(step))))
+    {
+        let held = Block::moving(Movement::HeldVector { end: [x * 0.01, 0.07] });
+        let blocks = [start(radius), new_vector([3.0, 4.0]), line(-700.3 + x, 9.1), new_vector([-0.7, 1.1]), held];
+        let (steps, alarm) = run(&SEED_MILL, &[blocks.to_vec(), vec![new_vector([-0.7, 1.1])]].concat());
+        assert_eq!(alarm, None);
+        assert_eq!(steps[5].segment, Segment::Hold, "{radius} {x}");
+    }
+}

@@ -85,14 +85,15 @@ impl<S: Sink> Scene<'_, S> {
 
     /// [TRC-VEC-05]
     pub(super) fn emit_new_vector(&mut self, side: Side, settled: bool) {
-        let State { elements, pending, tool, radius_in_force, .. } = &mut *self.state;
+        let State { elements, pending, tool, carried, radius_in_force, .. } = &mut *self.state;
         let (last, _) = places(*pending);
         let radius = if settled { *radius_in_force } else { elements[last].radius };
         let to = at_right_angles(self.end, self.given, side, radius);
-        let scale = greater(magnitude(self.end), magnitude(*tool)) + radius;
+        let scale = greater(greater(magnitude(self.end), magnitude(*tool)), *carried) + radius;
         if sign(magnitude(to - *tool), scale) == Ordering::Equal {
             self.hold(self.block, self.rapid, clause::TRC_VEC_05);
         } else {
+            *carried = 0.0;
             let mut path = PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid };
             path.own_move(None, to, false, clause::TRC_VEC_05);
         }
