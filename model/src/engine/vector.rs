@@ -138,8 +138,12 @@ impl Engine {
     ) -> Result<(), Stop> {
         let CornerArc { block, rapid, side, before: (before, side_before), radius } = arc;
         let reading = judgement.block;
-        let segment = vector::corner_arc((&before, side_before), after, side, &radius, judgement)
-            .map_err(|refused| self.refuse(reading, refused, judgement))?;
+        let segment = if radius.is_zero() {
+            None
+        } else {
+            vector::corner_arc((&before, side_before), after, side, &radius, judgement)
+                .map_err(|refused| self.refuse(reading, refused, judgement))?
+        };
         let moves = segment.is_some();
         self.emit(block, rapid, clause, moves, segment.unwrap_or(Segment::Hold), judgement);
         Ok(())
