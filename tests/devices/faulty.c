@@ -22,14 +22,17 @@ enum {
 
 enum { MOST = 4096 };
 
-/* Whether a program is one of those that the fault shows in, by what it says. */
+/* Whether a program is one of those that the fault shows in, by the ends of its moves: not by the bytes between the
+   fields of a block, which may be any. */
 static int one_in(const radcomp_block *blocks, size_t count, unsigned long many) {
-    unsigned long hash = 5381;
-    const unsigned char *bytes = (const unsigned char *)blocks;
-    for (size_t index = 0; index < count * sizeof *blocks; ++index) {
-        hash = hash * 33 + bytes[index];
+    unsigned long long hash = 14695981039346656037u;
+    for (size_t index = 0; index < count; ++index) {
+        const unsigned char *bytes = (const unsigned char *)blocks[index].end;
+        for (size_t byte = 0; byte < sizeof blocks[index].end; ++byte) {
+            hash = (hash ^ bytes[byte]) * 1099511628211u;
+        }
     }
-    return hash % many == 0;
+    return (hash >> 32) % many == 0;
 }
 
 /* Where the line through p and q meets the line through r and s; 0 if it does not. */

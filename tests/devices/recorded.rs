@@ -75,7 +75,7 @@ fn a_report_and_its_pages_are_written_of_recorded_answers() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name).display().to_string();
     let (requests, _, _) = command("gen", "");
-    let (answers, _, _) = run(&["serve"], &requests);
+    let (answers, _, _) = run(&["answer"], &requests);
     // A centre path that is a tenth of a millimetre off wherever a corner was formed.
     let spoil = |line: &str| {
         let mut answer: serde_json::Value = serde_json::from_str(line).unwrap();
