@@ -30,7 +30,7 @@ test: lint doc ## Everything CI checks: format, lints, documentation, dependenci
 	@scripts/setup --test
 	scripts/check
 	scripts/test $(LOCKED)
-	scripts/fuzz smoke-if-installed 10
+	scripts/fuzz smoke-if-installed
 
 prove: ## Lemmas and exhaustive searches of proofs/, with what they visited; Kani too where it is installed
 	@scripts/setup --test

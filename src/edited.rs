@@ -120,7 +120,11 @@ fn change(blocks: &mut Vec<Block<Rational>>, what: u8, which: usize, amount: &Ra
             let corners = reach.corners();
             blocks[which].corner = Some(corners[usize::from(how >> 1 & 1) % corners.len()]);
         }
-        _ => blocks[which].compensation = next_code(blocks[which].compensation),
+        _ => {
+            // I, J, K stand beside the code that gives them a meaning; another code may give them none.
+            blocks[which].compensation = next_code(blocks[which].compensation);
+            blocks[which].vector = None;
+        }
     }
 }
 
