@@ -116,6 +116,11 @@ pub fn plain() -> Parameters {
         side_code_vector: SideCodeVector::Refused,
         cancel_vector: CancelVector::Refused,
         offset_change: OffsetChange::Alarm,
+        chord_tolerance: NONE,
+        centre_tolerance: NONE,
+        interference: Interference::Off,
+        interference_blocks: InterferenceBlocks::Two,
+        interference_boundary: InterferenceBoundary::Strict,
     }
 }
 

@@ -132,4 +132,9 @@ clauses! {
     TRC_VEC_04 = "TRC-VEC-04": "A move that holds the vector";
     TRC_VEC_05 = "TRC-VEC-05": "A new vector";
     TRC_VEC_06 = "TRC-VEC-06": "I, J, K beside the code of a side in mode";
+    TRC_INT_01 = "TRC-INT-01": "What is looked at for interference";
+    TRC_INT_02 = "TRC-INT-02": "Vectors that interfere";
+    TRC_INT_03 = "TRC-INT-03": "Removal of vectors";
+    TRC_INT_04 = "TRC-INT-04": "Interference of several blocks";
+    TRC_INT_05 = "TRC-INT-05": "Avoidance";
 }

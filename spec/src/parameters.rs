@@ -229,6 +229,43 @@ choices! {
         NoMovement = "no-movement",
         /// Look-ahead is lost there.
         BreaksLookAhead = "breaks-look-ahead",
+        /// A block that moves where it starts or cancels, else one of the blocks without movement.
+        StartsAndCancels = "starts-and-cancels",
+    }
+    /// What several blocks together are looked at for ([TRC-INT-01]).
+    Interference {
+        /// Nothing: [TRC-WEDGE-02] and [TRC-WEDGE-03] alone.
+        Off = "off",
+        /// Vectors of one block that interfere are removed in pairs ([TRC-INT-03]).
+        RemoveVectors = "remove-vectors",
+        /// Vectors of several blocks that interfere raise an alarm ([TRC-INT-04]).
+        Alarm = "alarm",
+        /// Blocks whose vectors interfere are left out ([TRC-INT-05]).
+        Avoid = "avoid",
+    }
+    /// How many blocks that move are looked at together ([TRC-INT-04]).
+    InterferenceBlocks {
+        /// Two.
+        Two = "2",
+        /// Three.
+        Three = "3",
+        /// Four.
+        Four = "4",
+        /// Five.
+        Five = "5",
+        /// Six.
+        Six = "6",
+        /// Seven.
+        Seven = "7",
+        /// Eight.
+        Eight = "8",
+    }
+    /// Whether vectors that turn by exactly 90 degrees interfere ([TRC-INT-02]).
+    InterferenceBoundary {
+        /// They do not.
+        Strict = "strict",
+        /// They do.
+        Inclusive = "inclusive",
     }
     /// M00, M01, M02 and M30 in mode ([TRC-LOOK-08]).
     ReadAheadStop {
@@ -382,4 +419,14 @@ pub struct Parameters {
     pub cancel_vector: CancelVector,
     /// A change of the offset value in mode.
     pub offset_change: OffsetChange,
+    /// By how much half a chord may exceed the radius of its arc, in millimetres.
+    pub chord_tolerance: Ratio,
+    /// How far from an end a centre counts as lying there, in millimetres.
+    pub centre_tolerance: Ratio,
+    /// What several blocks together are looked at for.
+    pub interference: Interference,
+    /// How many blocks that move are looked at together.
+    pub interference_blocks: InterferenceBlocks,
+    /// Whether vectors that turn by exactly 90 degrees interfere.
+    pub interference_boundary: InterferenceBoundary,
 }

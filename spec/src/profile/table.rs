@@ -390,6 +390,36 @@ pub const PARAMETERS: &[Parameter] = &[
         values: word!(OffsetChange, parameters.offset_change),
     },
     Parameter {
+        key: "compensation.chord-tolerance",
+        meaning: "by how much half a chord may exceed the radius of its arc, in millimetres",
+        clause: clause::TRC_ARC_06,
+        values: Values::Decimal { positive: false, field: |profile| &mut profile.parameters.chord_tolerance },
+    },
+    Parameter {
+        key: "compensation.centre-tolerance",
+        meaning: "how far from an end of its arc a centre counts as lying there, in millimetres",
+        clause: clause::TRC_ARC_02,
+        values: Values::Decimal { positive: false, field: |profile| &mut profile.parameters.centre_tolerance },
+    },
+    Parameter {
+        key: "compensation.interference",
+        meaning: "interference of vectors of one or several blocks",
+        clause: clause::TRC_INT_01,
+        values: word!(Interference, parameters.interference),
+    },
+    Parameter {
+        key: "compensation.interference-blocks",
+        meaning: "blocks that move and are looked at together for interference",
+        clause: clause::TRC_INT_04,
+        values: word!(InterferenceBlocks, parameters.interference_blocks),
+    },
+    Parameter {
+        key: "compensation.interference-boundary",
+        meaning: "vectors that turn by exactly 90 degrees",
+        clause: clause::TRC_INT_02,
+        values: word!(InterferenceBoundary, parameters.interference_boundary),
+    },
+    Parameter {
         key: "tips.T0",
         meaning: "imaginary tip of orientation 0, as signs of (a, b)",
         clause: clause::TRC_TIP_01,
