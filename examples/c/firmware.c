@@ -43,7 +43,7 @@ static const char PROFILE[] =
     "chord-tolerance = 0\n"
     "centre-tolerance = 0\n"
     "interference = off\n"
-    "interference-blocks = 2\n"
+    "interference-blocks = 3\n"
     "interference-boundary = strict\n";
 
 /* A tool of radius 5 mm runs left of a contour with an inner and an outer corner and an arc. */

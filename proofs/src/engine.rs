@@ -121,7 +121,7 @@ pub fn plain() -> Parameters {
         chord_tolerance: NONE,
         centre_tolerance: NONE,
         interference: Interference::Off,
-        interference_blocks: InterferenceBlocks::Two,
+        interference_blocks: InterferenceBlocks::Three,
         interference_boundary: InterferenceBoundary::Strict,
     }
 }

@@ -243,10 +243,8 @@ choices! {
         /// Blocks whose vectors interfere are left out ([TRC-INT-05]).
         Avoid = "avoid",
     }
-    /// How many blocks that move are looked at together ([TRC-INT-04]).
+    /// How many blocks that move are read together, the first and the last included ([TRC-INT-04]).
     InterferenceBlocks {
-        /// Two.
-        Two = "2",
         /// Three.
         Three = "3",
         /// Four.
@@ -260,7 +258,7 @@ choices! {
         /// Eight.
         Eight = "8",
     }
-    /// Whether vectors that turn by exactly 90 degrees interfere ([TRC-INT-02]).
+    /// Whether vectors interfere that lead the tool neither forward nor back ([TRC-INT-02]).
     InterferenceBoundary {
         /// They do not.
         Strict = "strict",
@@ -425,8 +423,8 @@ pub struct Parameters {
     pub centre_tolerance: Ratio,
     /// What several blocks together are looked at for.
     pub interference: Interference,
-    /// How many blocks that move are looked at together.
+    /// How many blocks that move are read together.
     pub interference_blocks: InterferenceBlocks,
-    /// Whether vectors that turn by exactly 90 degrees interfere.
+    /// Whether vectors interfere that lead the tool neither forward nor back.
     pub interference_boundary: InterferenceBoundary,
 }

@@ -14,7 +14,7 @@ const PROFILE: &str = "start-up = type-a\nstart-up-lost = normal\ncancel = type-
     arc-on-rapid = arc\nsmall-vector-limit = 0\nsame-code = ordinary\nnegative-radius = alarm\nequal-radius = alarm\n\
     zero-length-move = no-movement\npending-at-alarm = ended\n\
     side-code-vector = refused\ncancel-vector = refused\noffset-change = alarm\n\
-    chord-tolerance = 0\ncentre-tolerance = 0\ninterference = off\ninterference-blocks = 2\ninterference-boundary = strict\n";
+    chord-tolerance = 0\ncentre-tolerance = 0\ninterference = off\ninterference-blocks = 3\ninterference-boundary = strict\n";
 
 fn new(memory: &mut [u8], profile: &str) -> (i32, *mut radcomp_state) {
     let text = CString::new(profile).unwrap();

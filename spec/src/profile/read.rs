@@ -303,7 +303,7 @@ fn blank() -> Profile {
             chord_tolerance: none,
             centre_tolerance: none,
             interference: Interference::Off,
-            interference_blocks: InterferenceBlocks::Two,
+            interference_blocks: InterferenceBlocks::Three,
             interference_boundary: InterferenceBoundary::Strict,
         },
         tips: [Tip::Absent; 10],

@@ -409,13 +409,13 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         key: "compensation.interference-blocks",
-        meaning: "blocks that move and are looked at together for interference",
+        meaning: "blocks that move and are read together for interference",
         clause: clause::TRC_INT_04,
         values: word!(InterferenceBlocks, parameters.interference_blocks),
     },
     Parameter {
         key: "compensation.interference-boundary",
-        meaning: "vectors that turn by exactly 90 degrees",
+        meaning: "vectors that lead the tool neither forward nor back",
         clause: clause::TRC_INT_02,
         values: word!(InterferenceBoundary, parameters.interference_boundary),
     },
