@@ -1,6 +1,7 @@
 //! The engine: reads blocks, checks their numbers and arcs, and lets the look-ahead drive the geometry.
 
 use nalgebra::Vector2;
+use radcomp_spec::parameters::{Approach, StartUp};
 use radcomp_spec::{Alarm, AlarmKind, Block, Centre, Direction, Movement, Parameters, Step};
 
 use crate::geometry::{Event, Kind};
@@ -192,6 +193,13 @@ impl Engine {
         if let Some(radius) = block.radius {
             other_radius = radius.abs() != scene.state.radius_in_force;
             (scene.state.radius_in_force, scene.state.swapped) = (radius.abs(), radius < 0.0);
+        }
+        if let Some(approach) = block.approach {
+            self.window.approach(approach);
+            scene.state.rules.start_up = match approach {
+                Approach::Norm => StartUp::TypeA,
+                Approach::Kont => StartUp::TypeB,
+            };
         }
         if let Some(outer) = block.corner {
             scene.state.rules.outer = outer;

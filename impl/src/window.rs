@@ -10,7 +10,7 @@ mod transition;
 mod vector;
 
 use radcomp_spec::parameters::{
-    Cancel, CancelVector, CancelWithoutMovement, OffsetChange, PendingAtAlarm, SameCode, SideChange,
+    Approach, Cancel, CancelVector, CancelWithoutMovement, OffsetChange, PendingAtAlarm, SameCode, SideChange,
     SideChangeAfterStartUp, SideCodeVector, StartUp, StartUpArc, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
 };
 use radcomp_spec::{Alarm, AlarmKind, Compensation, Parameters, Side, clause};
@@ -96,6 +96,14 @@ pub struct Window {
 }
 
 impl Window {
+    /// NORM or KONT has been read: what it says of start-up and cancel. [TRC-START-12]
+    pub fn approach(&mut self, approach: Approach) {
+        (self.policy.start_up, self.policy.cancel) = match approach {
+            Approach::Norm => (StartUp::TypeA, Cancel::TypeA),
+            Approach::Kont => (StartUp::TypeB, Cancel::TypeB),
+        };
+    }
+
     /// The look-ahead at the start of a program: cancel mode, nothing pending.
     #[must_use]
     pub fn new(parameters: &Parameters) -> Self {

@@ -167,6 +167,7 @@ pub fn block(choice: &mut impl Choice, kinds: u8) -> Block<f64> {
             Some(OuterCorner::Arc),
             Some(OuterCorner::LimitAngle),
         ]),
+        approach: None,
         stops_look_ahead: choice.flag(),
         not_in_mode: choice.of(&[None, Some(AlarmKind::ToolChangeInMode)]),
     }

@@ -65,6 +65,7 @@ clauses! {
     TRC_START_09 = "TRC-START-09": "An arc as entry move";
     TRC_START_10 = "TRC-START-10": "I, J, K at start-up: a vector at right angles";
     TRC_START_11 = "TRC-START-11": "I, J, K at start-up: an imaginary line";
+    TRC_START_12 = "TRC-START-12": "Codes that choose start-up and cancel";
     TRC_CORNER_01 = "TRC-CORNER-01": "Inner and outer corners";
     TRC_CORNER_02 = "TRC-CORNER-02": "Tangent junction";
     TRC_CORNER_03 = "TRC-CORNER-03": "Inner corner of two lines";

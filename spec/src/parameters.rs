@@ -53,6 +53,20 @@ choices! {
         /// By intersection down to a limit angle, by an arc below it ([TRC-CORNER-13]); G451.
         LimitAngle = "limit-angle",
     }
+    /// Codes that choose start-up and cancel ([TRC-START-12]).
+    ApproachCodes {
+        /// The control has none.
+        None = "none",
+        /// NORM: type A. KONT: type B.
+        NormKont = "norm-kont",
+    }
+    /// Start-up and cancel as a code chooses them ([TRC-START-12]).
+    Approach {
+        /// NORM: type A.
+        Norm = "norm",
+        /// KONT: type B.
+        Kont = "kont",
+    }
     /// Whether codes choose the outer corner ([TRC-CORNER-11]).
     CornerCodes {
         /// None do: they are errors of the program.
@@ -427,4 +441,14 @@ pub struct Parameters {
     pub interference_blocks: InterferenceBlocks,
     /// Whether vectors interfere that lead the tool neither forward nor back.
     pub interference_boundary: InterferenceBoundary,
+}
+
+impl Parameters {
+    /// Start-up and cancel as NORM or KONT chooses them ([TRC-START-12]).
+    pub fn approach(&mut self, approach: Approach) {
+        (self.start_up, self.cancel) = match approach {
+            Approach::Norm => (StartUp::TypeA, Cancel::TypeA),
+            Approach::Kont => (StartUp::TypeB, Cancel::TypeB),
+        };
+    }
 }

@@ -79,6 +79,7 @@ fn null_pointers_short_buffers_and_values_that_are_none() {
             radcomp_block { direction: 2, ..line },
             radcomp_block { compensation: 4, ..line },
             radcomp_block { corner: 4, ..line },
+            radcomp_block { approach: 3, ..line },
         ] {
             assert_eq!(radcomp_push(state, &wrong, to, room, &mut count, &mut alarm), RADCOMP_BLOCK);
         }

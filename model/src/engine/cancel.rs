@@ -28,7 +28,10 @@ impl Engine {
         if element.as_ref().is_some_and(Element::is_arc) {
             return self.alarm(number, AlarmKind::ArcAtCancel, judgement);
         }
-        // [TRC-CORNER-11] before the junction with this block is formed.
+        // [TRC-START-12], [TRC-CORNER-11] before the junction with this block is formed.
+        if let Some(approach) = block.approach {
+            self.parameters.approach(approach);
+        }
         if let Some(corner) = block.corner {
             self.outer_corner = corner;
         }

@@ -63,7 +63,10 @@ impl Engine {
             Some(Compensation::On(side)) => self.code = Some(side),
             None => {}
         }
-        // [TRC-CORNER-11] before the junction with this block is formed.
+        // [TRC-START-12], [TRC-CORNER-11] before the junction with this block is formed.
+        if let Some(approach) = block.approach {
+            self.parameters.approach(approach);
+        }
         if let Some(corner) = block.corner {
             self.outer_corner = corner;
         }

@@ -258,6 +258,7 @@ fn blank() -> Profile {
             dummy: Dummy::None,
             dummy_first_axis: Measure::Radius,
             corner_codes: CornerCodes::None,
+            approach_codes: ApproachCodes::None,
             plane_change: InMode::Unsupported,
             reference_return: InMode::Unsupported,
             machine_coordinates: InMode::Unsupported,

@@ -126,6 +126,12 @@ pub const PARAMETERS: &[Parameter] = &[
         values: word!(CornerCodes, machine.corner_codes),
     },
     Parameter {
+        key: "machine.approach-codes",
+        meaning: "codes that choose start-up and cancel",
+        clause: clause::TRC_START_12,
+        values: word!(ApproachCodes, machine.approach_codes),
+    },
+    Parameter {
         key: "machine.plane-change",
         meaning: "a change of plane in mode",
         clause: clause::TRC_MODE_08,
