@@ -194,18 +194,20 @@ fn the_last_start_up_block_without_movement_counts() {
 }
 
 #[test]
-fn an_entry_arc_runs_from_where_the_tool_stands() {
+fn no_entry_arc_while_the_tool_stands_off_the_program() {
     // After G40 without movement the tool stands at (5, 5), the program at (5, 0).
     let entry = Parameters { start_up_arc: StartUpArc::MovedCentre, arc_end_tolerance: WIDE, ..*SEED_MILL };
     let arc = Movement::Arc { end: [15.0, 10.0], centre: Centre::FromStart([0.0, 10.0]), direction: COUNTER };
     let enters = Block { compensation: Some(LEFT), ..Block::moving(arc) };
-    let (steps, alarm) = run(&entry, &[start(), code(Compensation::Off), enters, line(15.0, 30.0)]);
-    assert_eq!(alarm, None);
-    // V = (10, 10), and (5, 10) is 5 from (5, 5) and from V; the line after it is tangent.
-    let Segment::Arc { end, centre, .. } = steps[2].segment else { panic!("an arc") };
+    let (steps, alarm) = run(&entry, &[start(), code(Compensation::Off), enters.clone(), line(15.0, 30.0)]);
+    assert_eq!((steps.len(), alarm), (2, Some(Alarm { block: 2, kind: AlarmKind::ArcAtCancel })));
+    // Where the two are one it enters: V = (10, 10), and (-5/2, 10) is 25/2 from (5, 0) and from V.
+    let on = Block { radius: Some(5.0), ..enters };
+    let (steps, alarm) = run(&entry, &[line(5.0, 0.0), on, line(15.0, 30.0)]);
+    assert_eq!((alarm, steps[1].clause), (None, clause::TRC_CORNER_02));
+    let Segment::Arc { end, centre, .. } = steps[1].segment else { panic!("an arc") };
     let near = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).abs() < 1e-12 && (a[1] - b[1]).abs() < 1e-12;
-    assert!(near(end, [10.0, 10.0]) && near(centre, [5.0, 10.0]), "{end:?} {centre:?}");
-    assert_eq!(steps[2].clause, clause::TRC_CORNER_02);
+    assert!(near(end, [10.0, 10.0]) && near(centre, [-2.5, 10.0]), "{end:?} {centre:?}");
 }
 
 const COUNTER: Direction = Direction::Counterclockwise;

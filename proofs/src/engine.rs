@@ -67,7 +67,11 @@ pub fn parameters(choice: &mut impl Choice) -> Parameters {
         small_vector_limit: choice.of(&cosines),
         negative_radius: choice.of(&[NegativeRadius::Alarm, NegativeRadius::SwapsSides]),
         equal_radius: choice.of(&[EqualRadius::Alarm, EqualRadius::DegeneratePoint]),
-        zero_length_move: choice.of(ZeroLengthMove::VALUES),
+        zero_length_move: choice.of(&[
+            ZeroLengthMove::NoMovement,
+            ZeroLengthMove::BreaksLookAhead,
+            ZeroLengthMove::StartsAndCancels,
+        ]),
         pending_at_alarm: choice.of(&[PendingAtAlarm::Ended, PendingAtAlarm::Lost]),
         side_code_vector: choice.of(&[
             SideCodeVector::RightAngles,

@@ -110,7 +110,7 @@ fn all_parameters(allowed: u8) -> Vec<Parameters> {
 
 /// Plain rules, and a set with the other rules of start-up and cancel, with so many blocks without movement allowed.
 fn two_sets(non_moving_allowed: Option<u8>) -> [Parameters; 2] {
-    let one = Parameters { non_moving_allowed, ..plain() };
+    let one = Parameters { zero_length_move: ZeroLengthMove::BreaksLookAhead, non_moving_allowed, ..plain() };
     let other = Parameters {
         start_up_lost: StartUpLost::NoVector,
         start_up_without_movement: StartUpWithoutMovement::Shift,
@@ -121,6 +121,8 @@ fn two_sets(non_moving_allowed: Option<u8>) -> [Parameters; 2] {
         side_code_vector: SideCodeVector::RightAngles,
         cancel_vector: CancelVector::ImaginaryLine,
         offset_change: OffsetChange::EndOfBlock,
+        zero_length_move: ZeroLengthMove::StartsAndCancels,
+        pending_at_alarm: PendingAtAlarm::Lost,
         non_moving_allowed,
         ..plain()
     };
