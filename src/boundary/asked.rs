@@ -1,7 +1,9 @@
 //! Which decisions a profile asks, as far as plain decimals lie on them.
 
 use radcomp_spec::DecisionKind;
-use radcomp_spec::parameters::{ArcExtension, Cancel, OuterCorner, Ratio, SideChange, StartUp, ZeroLengthMove};
+use radcomp_spec::parameters::{
+    ArcExtension, Cancel, Interference, InterferenceBlocks, OuterCorner, Ratio, SideChange, StartUp, ZeroLengthMove,
+};
 
 use super::point::{Point, ratio};
 use crate::generate::Reach;
@@ -15,9 +17,21 @@ pub fn is_asked(kind: DecisionKind, reach: Reach) -> bool {
         | DecisionKind::WholeTurn
         | DecisionKind::ToolFitsArc
         | DecisionKind::Turn
-        | DecisionKind::OffsetsMeet
-        | DecisionKind::LineForward
-        | DecisionKind::ArcForward => true,
+        | DecisionKind::OffsetsMeet => true,
+        // [TRC-INT-01]
+        DecisionKind::LineForward | DecisionKind::ArcForward => parameters.interference == Interference::Off,
+        DecisionKind::LineInterference => parameters.interference != Interference::Off,
+        DecisionKind::ArcInterference => parameters.interference != Interference::Off && !compares_far_vectors(reach),
+        DecisionKind::InterferenceApart => {
+            compares_far_vectors(reach) && parameters.interference_blocks != InterferenceBlocks::Four
+        }
+        DecisionKind::AvoidanceTurn => parameters.interference == Interference::Avoid,
+        DecisionKind::AvoidanceParallel | DecisionKind::AvoidanceMeets | DecisionKind::NearerAvoidance => {
+            // At a mitre a step's vectors are as far apart as its corners.
+            let stepped = parameters.outer_corner == OuterCorner::Arc
+                || (by_intersection && parameters.arc_extension == ArcExtension::Tangent);
+            parameters.interference == Interference::Avoid && stepped
+        }
         // A distance of points in whole thousandths is a whole number of thousandths or irrational.
         DecisionKind::CentreDistance => thousandths(parameters.centre_tolerance).is_some(),
         DecisionKind::ChordFits => thousandths(parameters.chord_tolerance).is_some(),
@@ -48,6 +62,13 @@ pub fn is_asked(kind: DecisionKind, reach: Reach) -> bool {
         DecisionKind::LineInForward => can_lose_look_ahead(reach) || reach.dummies(),
         DecisionKind::NearCorner => parameters.far_intersection == Ratio { numerator: 5, denominator: 1 },
     }
+}
+
+/// Vectors are compared that do not belong to one block ([TRC-INT-04]).
+pub(super) fn compares_far_vectors(reach: Reach) -> bool {
+    let parameters = reach.parameters();
+    let together = matches!(parameters.interference, Interference::Alarm | Interference::Avoid);
+    together && parameters.interference_blocks != InterferenceBlocks::Three
 }
 
 /// Changes of side look for a point that touches both contours ([TRC-SIDE-02], [TRC-SIDE-05]).

@@ -9,8 +9,8 @@
 //!
 //! Some boundaries have no such programs, or only one side:
 //!
-//! * a margin that is a distance is positive to either side of zero: `moves`, `centre-distance`, `centres-apart` and
-//!   `whole-turn`;
+//! * a margin that is a distance is positive to either side of zero: `moves`, `centre-distance`, `centres-apart`,
+//!   `whole-turn` and `interference-apart`;
 //! * `whole-turn`: only circles tangent to both neighbours lie on it, at an outer corner the tool passes the circle's own
 //!   normal whatever the angle;
 //! * `offsets-meet` and `contact-exists`: a line and an arc with the tool outside it, and two arcs with the tool outside
@@ -25,6 +25,9 @@
 //! * `right-angle` asks nothing where outer corners are no intersections, `line-in-forward` where nothing loses the
 //!   look-ahead, and the contacts of a change of side where there is no such change;
 //! * `imaginary-line-met`: where it stands before the contour, at start-up, generated programs alone come to it;
+//! * `arc-interference` where more than three blocks are read together: vectors farther apart may interfere first;
+//! * `interference-apart`: three lines close where five blocks are read together, an arc and a line with four; generated
+//!   programs alone do that;
 //! * `entry-arc`: with the tool outside an arc no start lies on it;
 //! * `nearer-contact` with a line asks for a tool of at least four times the arc's radius.
 
@@ -35,6 +38,7 @@ mod contact;
 mod corner;
 mod entry;
 mod figure;
+mod interference;
 mod limit;
 mod meet;
 mod place;
@@ -124,8 +128,14 @@ fn figure(kind: DecisionKind, choice: &mut Choice, reach: Reach) -> Option<Figur
         DecisionKind::ExtensionsMeet => meet::extensions_meet(choice),
         DecisionKind::StraightBand => limit::straight_band(choice, reach),
         DecisionKind::SmallVector => limit::small_vector(choice, reach),
-        DecisionKind::LineForward => wedge::line_forward(choice),
-        DecisionKind::ArcForward => wedge::arc_forward(choice),
+        DecisionKind::LineInterference if asked::compares_far_vectors(reach) => interference::groove(choice),
+        DecisionKind::LineForward | DecisionKind::LineInterference => wedge::line_forward(choice),
+        DecisionKind::ArcForward | DecisionKind::ArcInterference => wedge::arc_forward(choice),
+        DecisionKind::InterferenceApart => interference::apart(choice),
+        DecisionKind::AvoidanceTurn => interference::turn(choice),
+        DecisionKind::AvoidanceParallel => interference::parallel(choice),
+        DecisionKind::AvoidanceMeets => interference::meets(choice),
+        DecisionKind::NearerAvoidance => interference::nearer(choice),
         DecisionKind::LineInForward => corner::line_in(choice, reach),
         DecisionKind::NearCorner => wedge::near_corner(choice),
     }
