@@ -78,7 +78,7 @@ impl Tally {
 fn zero_is_enough(decision: &Decision) -> bool {
     match decision.kind {
         // The margin is a distance: at zero the two sweeps may be equal or a whole turn apart, which runs backwards.
-        DecisionKind::ArcForward => decision.exact == Ordering::Less,
+        DecisionKind::ArcForward | DecisionKind::ArcInterference => decision.exact == Ordering::Less,
         _ => false,
     }
 }

@@ -89,6 +89,23 @@ pub fn in_words(decision: &Decision, corner: Corner) -> Option<String> {
         (DecisionKind::LineForward, Less) => "the tool's centre would run this line backwards".to_owned(),
         (DecisionKind::ArcForward, Less) => "the tool's centre would run this arc backwards".to_owned(),
         (DecisionKind::ArcForward, _) => return None,
+        (DecisionKind::InterferenceApart, Greater) => return None,
+        (DecisionKind::InterferenceApart, _) => "two corners are one point: their vectors never interfere".to_owned(),
+        (DecisionKind::LineInterference | DecisionKind::ArcInterference, Greater) => return None,
+        (DecisionKind::LineInterference, Equal) => "two vectors lead the tool neither forward nor back".to_owned(),
+        (DecisionKind::LineInterference, Less) => "two vectors interfere: they would lead the tool back".to_owned(),
+        (DecisionKind::ArcInterference, Equal) => "the arc's vectors lead the tool neither forward nor back".to_owned(),
+        (DecisionKind::ArcInterference, Less) => {
+            "the arc's vectors interfere: they would lead the tool back".to_owned()
+        }
+        (DecisionKind::AvoidanceTurn, Less) => "the path turns by more than 90° over the blocks left out".to_owned(),
+        (DecisionKind::AvoidanceTurn, _) => "the path turns by no more than 90° over the blocks left out".to_owned(),
+        (DecisionKind::AvoidanceParallel, Equal) => "the blocks around those left out are parallel".to_owned(),
+        (DecisionKind::AvoidanceParallel, _) => return None,
+        (DecisionKind::AvoidanceMeets, Less) => "the offset contours around the blocks left out do not meet".to_owned(),
+        (DecisionKind::AvoidanceMeets, _) => "the offset contours around the blocks left out meet".to_owned(),
+        (DecisionKind::NearerAvoidance, Equal) => "both common points are equally near: neither counts".to_owned(),
+        (DecisionKind::NearerAvoidance, _) => "of two common points the nearer one counts".to_owned(),
         (DecisionKind::LineInForward, Less) => "the straight move to the arc's start runs against the arc".to_owned(),
         (DecisionKind::LineInForward, _) => return None,
         (DecisionKind::NearCorner, Less) => "the intersection lies far from the corner".to_owned(),

@@ -219,7 +219,14 @@ impl<W: Write> Sink for Teller<W> {
             | DecisionKind::EntryLength
             | DecisionKind::EntryArc
             | DecisionKind::LineForward
-            | DecisionKind::ArcForward => {
+            | DecisionKind::ArcForward
+            | DecisionKind::InterferenceApart
+            | DecisionKind::LineInterference
+            | DecisionKind::ArcInterference
+            | DecisionKind::AvoidanceTurn
+            | DecisionKind::AvoidanceParallel
+            | DecisionKind::AvoidanceMeets
+            | DecisionKind::NearerAvoidance => {
                 if let Some(section) = self.section(decision.block) {
                     section.checks.push(decision.clone());
                 }

@@ -5,6 +5,7 @@ use radcomp_spec::parameters::CancelWithoutMovement;
 use radcomp_spec::{AlarmKind, Block, Segment};
 use rug::Rational;
 
+use super::own_move::Onward;
 use super::pending::LeadIn;
 use super::{Answer, End, Engine, Mode, Moving};
 use crate::decision::Judgement;
@@ -41,7 +42,7 @@ impl Engine {
             let imaginary = block.vector.as_ref().map(|vector| Vector::read(vector, self.number));
             let setting = self.setting(block.rapid);
             lead_in = match cancel::junction(pending, element.as_ref(), imaginary.as_ref(), setting, judgement) {
-                Ok(junction) => self.pass(junction, judgement)?,
+                Ok(junction) => self.pass(junction, Onward::Ends, judgement)?,
                 Err(refused) => return Err(self.refuse(number, refused, judgement)),
             };
         }

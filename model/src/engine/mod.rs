@@ -2,8 +2,10 @@
 
 mod cancel;
 mod offset;
+mod own_move;
 mod pending;
 mod read;
+mod rows;
 mod start_up;
 mod vector;
 mod without_movement;
@@ -24,11 +26,12 @@ use crate::rules::mode::Offset;
 
 pub(crate) use pending::Pending;
 use pending::{Held, LeadIn};
+use rows::Rows;
 
 /// The reference model: reads blocks one at a time and hands out each path element as soon as it is settled.
 ///
 /// Its memory is bounded: one block that moves and the blocks without movement after it are held
-/// ([TRC-LOOK-02]). Where a profile allows any number of those, they are held as runs of one traverse rate.
+/// ([TRC-LOOK-02]), and as many as are compared with each other ([TRC-INT-04]). Where a profile allows any number of those, they are held as runs of one traverse rate.
 /// The tool stands at (0, 0) when a program starts.
 ///
 /// # Exactness
@@ -63,6 +66,7 @@ pub struct Engine {
     start_up_side: Option<Side>,
     /// The block being read holds G40, and the start-up block has been read ([TRC-MODE-10]).
     reading_cancel: bool,
+    rows: Rows,
     stopped: Option<Stop>,
 }
 
@@ -138,6 +142,7 @@ impl Engine {
             element_side: None,
             start_up_side: None,
             reading_cancel: false,
+            rows: Rows::new(parameters),
             stopped: None,
         }
     }
@@ -206,8 +211,9 @@ impl Engine {
     fn alarm(&mut self, block: usize, kind: AlarmKind, judgement: &mut Judgement<'_>) -> Answer {
         let lost = self.parameters.pending_at_alarm == PendingAtAlarm::Lost && !self.reading_cancel;
         if lost {
-            if let Some(pending) = self.pending.take() {
-                let LeadIn { clause, moves } = pending.lead_in;
+            let left_out = self.rows.end(judgement)?;
+            if let Some(pending) = self.pending.take().filter(|_| !left_out) {
+                let LeadIn { clause, moves, .. } = pending.lead_in;
                 self.corner_moves(clause, moves, pending.block, pending.rapid, judgement);
             }
             return Err(Stop::Alarm(Alarm { block, kind }));
@@ -232,7 +238,7 @@ impl Engine {
         judgement: &mut Judgement<'_>,
     ) {
         self.stand_at_end_of(&segment);
-        judgement.sink.step(Step { block, clause, rapid, main, segment });
+        self.rows.step(Step { block, clause, rapid, main, segment }, judgement);
     }
 
     fn stand_at_end_of(&mut self, segment: &Segment<Real>) {

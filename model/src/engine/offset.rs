@@ -3,7 +3,9 @@
 use radcomp_spec::parameters::{EqualRadius, SideCodeVector};
 use radcomp_spec::{AlarmKind, Segment, Side, clause};
 
+use super::own_move::Onward;
 use super::pending::{LeadIn, Pending, PendingKind};
+use super::rows::Next;
 use super::{Answer, End, Engine, Moving};
 use crate::decision::{Judgement, Stop};
 use crate::element::{Arm, Element, Shape};
@@ -26,7 +28,8 @@ impl Engine {
             Ok(fit) => fit,
             Err(kind) => return self.alarm(number, kind, judgement),
         };
-        let lead_in = self.reach(number, rapid, &element, side, judgement)?;
+        let joined = Some(Next { element: element.clone(), fit });
+        let lead_in = self.reach((number, rapid), &element, side, joined, judgement)?;
         self.element_read(side);
         self.position = element.end.clone();
         let (kind, radius, imaginary) = (PendingKind::Offset, self.offset.radius.clone(), None);
@@ -71,13 +74,14 @@ impl Engine {
         self.element_side = Some(side);
     }
 
-    /// Brings the tool to where the next element starts; answers the moves that the next block owns.
+    /// Brings the tool to where the next element starts; answers the moves that the next block owns. `row` is that element
+    /// where its block may be joined to a row ([TRC-INT-01]).
     pub(super) fn reach(
         &mut self,
-        number: usize,
-        rapid: bool,
+        (number, rapid): (usize, bool),
         next: &Element,
         side: Side,
+        row: Option<Next>,
         judgement: &mut Judgement<'_>,
     ) -> Result<LeadIn, Stop> {
         if self.shift.is_some() {
@@ -96,7 +100,14 @@ impl Engine {
                 }
             };
             return match junction {
-                Ok(junction) => self.pass(junction, judgement),
+                Ok(junction) => {
+                    let onward = match row {
+                        _ if pending.kind != PendingKind::Offset || pending.side != side => Onward::Ends,
+                        Some(next) if pending.radius == self.offset.radius => Onward::Joins(next),
+                        _ => Onward::Corner,
+                    };
+                    self.pass(junction, onward, judgement)
+                }
                 Err(refused) => Err(self.refuse(number, refused, judgement)),
             };
         }
@@ -108,7 +119,7 @@ impl Engine {
         if let Some(last) = resumed.moves.last() {
             self.stand_at_end_of(last);
         }
-        Ok(LeadIn { clause: resumed.clause, moves: resumed.moves })
+        Ok(LeadIn { clause: resumed.clause, moves: resumed.moves, corner: None })
     }
 
     /// [TRC-DUMMY-02] a dummy block whose junction is not settled.
@@ -123,7 +134,7 @@ impl Engine {
         if let Err(kind) = self.side_permitted(side) {
             return self.alarm(number, kind, judgement);
         }
-        let LeadIn { clause, moves } = self.reach(number, rapid, element, side, judgement)?;
+        let LeadIn { clause, moves, .. } = self.reach((number, rapid), element, side, None, judgement)?;
         self.corner_moves(clause, moves, number, rapid, judgement);
         self.emit(number, rapid, clause::TRC_DUMMY_02, false, Segment::Hold, judgement);
         self.element_read(side);

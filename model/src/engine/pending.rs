@@ -1,17 +1,17 @@
 //! The last block that moves, and the blocks without movement held after it.
 
 use radcomp_spec::clause::{self, Clause};
-use radcomp_spec::parameters::PendingAtAlarm;
-use radcomp_spec::{Alarm, Segment, Side};
+use radcomp_spec::{Segment, Side};
 
+use super::own_move::Onward;
 use super::{Answer, Engine};
 use crate::decision::{Judgement, Stop};
-use crate::element::{Element, Shape};
+use crate::element::Element;
 use crate::geometry::Vector;
 use crate::number::Real;
+use crate::rules::arc;
 use crate::rules::corner::next_owns;
-use crate::rules::junction::{Junction, Refused, line_to};
-use crate::rules::{arc, wedge};
+use crate::rules::junction::{Junction, Refused};
 
 /// The last block that moves, whose end vector is not settled.
 #[derive(Clone, Debug)]
@@ -59,12 +59,14 @@ impl Pending {
 pub(crate) struct LeadIn {
     pub(crate) clause: Clause,
     pub(crate) moves: Vec<Segment<Real>>,
+    /// The vector before them, where they belong to the corner that joins the block to its row ([TRC-INT-03]).
+    pub(crate) corner: Option<Vector>,
 }
 
 impl LeadIn {
     /// A block that starts where the one before it ends.
     pub(crate) fn none() -> Self {
-        LeadIn { clause: clause::TRC_CORNER_12, moves: Vec::new() }
+        LeadIn { clause: clause::TRC_CORNER_12, moves: Vec::new(), corner: None }
     }
 }
 
@@ -100,13 +102,17 @@ impl Held {
 impl Engine {
     /// Ends the pending block at a junction, and executes the blocks held. Answers the moves that the next block owns
     /// ([TRC-CORNER-12]); the tool is taken to stand behind them.
-    pub(super) fn pass(&mut self, junction: Junction, judgement: &mut Judgement<'_>) -> Result<LeadIn, Stop> {
-        let Some((block, rapid)) = self.pending.as_ref().map(|pending| (pending.block, pending.rapid)) else {
-            return Err(Stop::Contradiction);
-        };
-        let Junction { clause, first, moves, approach } = junction;
-        self.end_pending(clause, first, judgement)?;
-        let mut left = if next_owns(self.parameters.corner_owner) {
+    pub(super) fn pass(
+        &mut self,
+        junction: Junction,
+        onward: Onward,
+        judgement: &mut Judgement<'_>,
+    ) -> Result<LeadIn, Stop> {
+        let Some(pending) = self.pending.take() else { return Err(Stop::Contradiction) };
+        let (block, rapid) = (pending.block, pending.rapid);
+        let Junction { clause, first, moves, approach } = self.end(pending, junction, &onward, judgement)?;
+        let next_owns = next_owns(self.parameters.corner_owner);
+        let mut left = if next_owns {
             moves
         } else {
             self.corner_moves(clause, moves, block, rapid, judgement);
@@ -117,7 +123,14 @@ impl Engine {
         if let Some(last) = left.last() {
             self.stand_at_end_of(last);
         }
-        Ok(LeadIn { clause, moves: left })
+        let joined = matches!(onward, Onward::Joins(_));
+        match onward {
+            Onward::Joins(next) => self.rows.joined(next, judgement)?,
+            Onward::Corner | Onward::Ends => {
+                self.rows.end(judgement)?;
+            }
+        }
+        Ok(LeadIn { clause, moves: left, corner: (joined && next_owns).then_some(first) })
     }
 
     pub(super) fn corner_moves(
@@ -133,31 +146,11 @@ impl Engine {
         }
     }
 
-    /// Makes the pending block's own move to its end vector.
+    /// Makes the pending block's own move to its end vector, behind which its row ends.
     pub(super) fn end_pending(&mut self, clause: Clause, end: Vector, judgement: &mut Judgement<'_>) -> Answer {
         let Some(pending) = self.pending.take() else { return Ok(()) };
-        let Pending { block, rapid, kind, element, side, radius, imaginary: _, fit, lead_in } = pending;
-        let at_centre = fit == arc::Fit::Point;
-        let whole_circle = kind == PendingKind::Offset
-            && !at_centre
-            && arc::whole_turn(&element, side, &radius, (&self.tool, &end), judgement);
-        if kind == PendingKind::Offset || (kind == PendingKind::Entry && element.is_arc()) {
-            let reading = core::mem::replace(&mut judgement.block, block);
-            let exempt = whole_circle || at_centre;
-            let looked_at = wedge::forward(&element, &self.tool, &end, exempt, &self.parameters, judgement);
-            judgement.block = reading;
-            if let Err(kind) = looked_at {
-                // [TRC-MODE-10]
-                if self.parameters.pending_at_alarm == PendingAtAlarm::Lost {
-                    self.corner_moves(lead_in.clause, lead_in.moves, block, rapid, judgement);
-                }
-                return Err(Stop::Alarm(Alarm { block, kind }));
-            }
-        }
-        self.corner_moves(lead_in.clause, lead_in.moves, block, rapid, judgement);
-        // [TRC-ARC-08] the own move of an arc at whose centre the tool stands has no length.
-        let segment = if at_centre { line_to(&end) } else { own_move(&element, &end, whole_circle) };
-        self.emit(block, rapid, clause, true, segment, judgement);
+        self.end(pending, Junction::single(clause, end), &Onward::Ends, judgement)?;
+        self.rows.end(judgement)?;
         Ok(())
     }
 
@@ -177,22 +170,6 @@ impl Engine {
                 Err(stop) => stop,
                 Ok(()) => Stop::Contradiction,
             },
-        }
-    }
-}
-
-/// The move of an element's block to a vector.
-pub(super) fn own_move(element: &Element, end: &Vector, whole_circle: bool) -> Segment<Real> {
-    match &element.shape {
-        Shape::Line { .. } => line_to(end),
-        Shape::Arc { centre, sense, full, entry, .. } => {
-            let centre = entry.as_deref().map_or(centre, |entry| &entry.centre);
-            Segment::Arc {
-                end: [end.a.clone(), end.b.clone()],
-                centre: [centre.a.clone(), centre.b.clone()],
-                direction: *sense,
-                full: whole_circle && *full,
-            }
         }
     }
 }

@@ -5,7 +5,7 @@ use radcomp_spec::parameters::{OffsetChange, SameCode, SideChange};
 use radcomp_spec::{AlarmKind, Block, Compensation, DecisionKind, Movement};
 use rug::Rational;
 
-use super::pending::own_move;
+use super::own_move::own_move;
 use super::vector::is_vector_block;
 use super::{Answer, End, Engine, Mode, Moving};
 use crate::decision::Judgement;

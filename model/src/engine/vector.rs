@@ -170,7 +170,7 @@ impl Engine {
         if let Err(kind) = self.side_permitted(side) {
             return self.alarm(number, kind, judgement);
         }
-        let LeadIn { clause, moves } = self.reach(number, rapid, &element, side, judgement)?;
+        let LeadIn { clause, moves, .. } = self.reach((number, rapid), &element, side, None, judgement)?;
         self.corner_moves(clause, moves, number, rapid, judgement);
         self.element_read(side);
         let end = self.tool.minus(&element.start).plus(&element.end);

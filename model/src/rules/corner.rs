@@ -111,7 +111,7 @@ pub(super) fn right_angle(before: &Arm, after: &Arm, judgement: &mut Judgement<'
 }
 
 /// A product of the two tangents, divided by the longer one.
-fn displacement(product: &Real, before: &Arm, after: &Arm) -> Real {
+pub(super) fn displacement(product: &Real, before: &Arm, after: &Arm) -> Real {
     product.checked_div(&larger(&before.length, &after.length)).unwrap_or_else(Real::zero)
 }
 

@@ -5,6 +5,7 @@ pub(crate) mod cancel;
 pub(crate) mod corner;
 pub(crate) mod dummy;
 pub(crate) mod inner;
+pub(crate) mod interference;
 pub(crate) mod junction;
 pub(crate) mod look_ahead;
 pub(crate) mod mode;

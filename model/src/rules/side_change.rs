@@ -63,7 +63,7 @@ pub(crate) fn side_change(
             counting.push(point);
         }
     }
-    Ok(match nearer(counting, &arm_before.point, judgement) {
+    Ok(match nearer(counting, &arm_before.point, DecisionKind::NearerContact, judgement) {
         Some(point) => Junction::single(clause, point),
         None => two_normals(normal_before, normal_after),
     })
@@ -109,7 +109,7 @@ fn contacts(
 }
 
 /// Two points when curves cross, one when they touch.
-fn two(meet: Ordering, point: impl Fn(bool) -> Option<Vector>) -> Result<Vec<Vector>, Refused> {
+pub(super) fn two(meet: Ordering, point: impl Fn(bool) -> Option<Vector>) -> Result<Vec<Vector>, Refused> {
     let one = |which| point(which).ok_or(Refused::Contradiction);
     Ok(match meet {
         Ordering::Less => Vec::new(),
@@ -173,13 +173,18 @@ fn within(point: &Vector, element: &Element, side: Side, radius: &Real, judgemen
     judgement.decide(DecisionKind::ContactWithin, &margin, margin.clone()) != Ordering::Less
 }
 
-/// [TRC-SIDE-02] the one nearer to P; of two equally near ones, none.
-fn nearer(mut points: Vec<Vector>, corner: &Vector, judgement: &mut Judgement<'_>) -> Option<Vector> {
+/// The one nearer to P; of two equally near ones, none ([TRC-SIDE-02], [TRC-INT-05]).
+pub(super) fn nearer(
+    mut points: Vec<Vector>,
+    corner: &Vector,
+    kind: DecisionKind,
+    judgement: &mut Judgement<'_>,
+) -> Option<Vector> {
     let second = points.pop()?;
     let Some(first) = points.pop() else { return Some(second) };
     let (to_first, to_second) = (first.minus(corner), second.minus(corner));
     let margin = to_second.length() - to_first.length();
-    match judgement.decide(DecisionKind::NearerContact, &margin, margin.clone()) {
+    match judgement.decide(kind, &margin, margin.clone()) {
         Ordering::Greater => Some(first),
         Ordering::Less => Some(second),
         Ordering::Equal => None,

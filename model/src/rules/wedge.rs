@@ -53,7 +53,7 @@ pub(crate) fn forward(
 
 /// The exact answer for an arc, and how far its nearer boundary lies: where the tool's start and end are one point, or
 /// where the two sweeps differ by exactly a half turn.
-fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Ordering, Real) {
+pub(super) fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Ordering, Real) {
     let Shape::Arc { centre, sense, full, entry, .. } = &element.shape else {
         return (Ordering::Greater, Real::zero());
     };

@@ -81,7 +81,9 @@ proptest! {
         let lost = run.alarm.is_some() && case.parameters.pending_at_alarm == PendingAtAlarm::Lost;
         let until_lost = if lost { executed.len().min(until) } else { until };
         prop_assert_eq!(executed, (0..until_lost).collect::<Vec<_>>());
-        prop_assert!(run.steps.iter().all(|step| step.block < until));
+        // [TRC-MODE-10] the corner moves of the block of the alarm may stand.
+        let stands = |step: &Step<Real>| step.block < until || (lost && step.block == until && own(step).is_none());
+        prop_assert!(run.steps.iter().all(stands));
     }
 
     /// A margin has the sign of its decision.
@@ -91,7 +93,7 @@ proptest! {
         for (decision, answer) in run(&case.parameters, &case.blocks).decisions {
             prop_assert_eq!(answer, decision.exact);
             // An arc that runs backwards at its boundary is decided by the clause.
-            let at_boundary = decision.margin.is_zero() && decision.kind.id() == "arc-forward";
+            let at_boundary = decision.margin.is_zero() && ["arc-forward", "arc-interference"].contains(&decision.kind.id());
             prop_assert!(at_boundary || decision.margin.sign() == decision.exact, "{decision:?}");
         }
     }
@@ -136,12 +138,12 @@ proptest! {
 }
 
 /// The cases are fit for their purpose: between them they come through every clause that makes an end point and every
-/// alarm that the engine raises.
+/// alarm that the engine raises, but for the moves of [TRC-INT-03], which need a short block behind an acute corner.
 #[test]
 fn random_programs_reach_every_clause() {
     let mut runner = TestRunner::deterministic();
     let mut reached = BTreeSet::new();
-    for _ in 0..6000 {
+    for _ in 0..20_000 {
         let choices = choices().new_tree(&mut runner).expect("choices are never refused").current();
         let case = Case::new(&choices);
         let run = run(&case.parameters, &case.blocks);
@@ -158,7 +160,7 @@ fn random_programs_reach_every_clause() {
         "TRC-SIDE-02 TRC-SIDE-03 TRC-SIDE-05 TRC-SIDE-06",
         "TRC-CANCEL-01 TRC-CANCEL-02 TRC-CANCEL-03 TRC-CANCEL-05 TRC-CANCEL-06",
         "TRC-START-10 TRC-START-11 TRC-CANCEL-08 TRC-VEC-02 TRC-VEC-03 TRC-VEC-04 TRC-VEC-05 TRC-VEC-06",
-        "TRC-LOOK-01 TRC-LOOK-02 TRC-LOOK-03 TRC-LOOK-05 TRC-DUMMY-02",
+        "TRC-LOOK-01 TRC-LOOK-02 TRC-LOOK-03 TRC-LOOK-05 TRC-DUMMY-02 TRC-INT-05",
     ];
     // Of the alarms of codes in mode, which one is raised is the program reader's to say.
     let in_mode = |kind: &AlarmKind| kind.clause() != clause::TRC_MODE_08 || *kind == AlarmKind::ToolChangeInMode;

@@ -130,6 +130,11 @@ fn parameters(choices: &mut Choices<'_>) -> Parameters {
         negative_radius: choices.value(NegativeRadius::VALUES),
         equal_radius: choices.value(EqualRadius::VALUES),
         zero_length_move: choices.value(ZeroLengthMove::VALUES),
+        chord_tolerance: choices.ratio(&[(0, 1), (1, 1)]),
+        centre_tolerance: choices.ratio(&[(0, 1), (0, 1), (1, 1)]),
+        interference: choices.value(Interference::VALUES),
+        interference_blocks: choices.value(InterferenceBlocks::VALUES),
+        interference_boundary: choices.value(InterferenceBoundary::VALUES),
         ..seed
     }
 }
