@@ -19,8 +19,30 @@ pub struct Divergence {
     pub expected: Option<Stroke>,
     /// The element in the device's answer, if there is one.
     pub observed: Option<Stroke>,
-    /// The outcome's path element from which on nothing can bring the two together again.
+    /// What of the outcome has a part in it.
+    pub(crate) parting: Parting,
+}
+
+/// Where an answer parts from an outcome, in path elements of the outcome.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Parting {
+    /// Those before it, in their order, that the answer has too, and could not have forgotten.
+    pub(crate) agreed: Vec<usize>,
+    /// The one from which on nothing can bring the two together again.
     pub(crate) settled: usize,
+}
+
+impl Parting {
+    /// An answer that every decision may have a part in.
+    pub(crate) fn anywhere() -> Parting {
+        Parting { agreed: Vec::new(), settled: usize::MAX }
+    }
+
+    /// The last path element before this one that the answer has too.
+    pub(crate) fn agreed_before(&self, element: usize) -> Option<usize> {
+        let count = self.agreed.partition_point(|agreed| *agreed < element);
+        count.checked_sub(1).map(|last| self.agreed[last])
+    }
 }
 
 /// What differs.
@@ -53,9 +75,10 @@ pub(crate) fn divergence(run: &Run, answer: &Answer, tolerance: Tolerance) -> Op
     }
     let expected = strokes(&Answer::from(run).steps, tolerance, true);
     let observed = strokes(&answer.steps, tolerance, true);
-    if let Some(divergence) = first_difference(&expected, &observed, tolerance, true) {
-        return Some(divergence);
-    }
+    let agreed = match first_difference(&expected, &observed, tolerance, true) {
+        Ok(agreed) => agreed,
+        Err(divergence) => return Some(*divergence),
+    };
     if run.alarm != answer.alarm {
         let alarm = run.alarm.or(answer.alarm)?;
         return Some(Divergence {
@@ -64,7 +87,7 @@ pub(crate) fn divergence(run: &Run, answer: &Answer, tolerance: Tolerance) -> Op
             difference: Difference::Alarm(run.alarm, answer.alarm),
             expected: None,
             observed: None,
-            settled: usize::MAX,
+            parting: Parting { agreed, settled: usize::MAX },
         });
     }
     None
@@ -79,16 +102,18 @@ pub(crate) fn path_difference(
     blocks: bool,
 ) -> Option<String> {
     let (expected, observed) = (strokes(expected, tolerance, blocks), strokes(observed, tolerance, blocks));
-    let divergence = first_difference(&expected, &observed, tolerance, blocks)?;
+    let divergence = first_difference(&expected, &observed, tolerance, blocks).err()?;
     Some(format!("{} at block {}: {:?}", divergence.clause, divergence.block + 1, divergence.difference))
 }
 
+/// The path elements that two paths have in common, as in [`Parting::agreed`], or where they part.
 fn first_difference(
     expected: &[Stroke],
     observed: &[Stroke],
     tolerance: Tolerance,
     blocks: bool,
-) -> Option<Divergence> {
+) -> Result<Vec<usize>, Box<Divergence>> {
+    let mut agreed = Vec::new();
     let (mut i, mut j) = (0, 0);
     // Where both stood when they last agreed.
     let (mut here_at, mut there_at) = ([0.0, 0.0], [0.0, 0.0]);
@@ -97,6 +122,11 @@ fn first_difference(
         let Some(difference) = differ(here, there, tolerance, blocks) else {
             (here_at, there_at) =
                 (here.map_or(here_at, |stroke| stroke.to), there.map_or(there_at, |stroke| stroke.to));
+            if let (Some(here), Some(there)) = (here, there)
+                && !is_short(there, there.from, tolerance)
+            {
+                agreed.push(here.step);
+            }
             (i, j) = (i + 1, j + 1);
             continue;
         };
@@ -109,21 +139,21 @@ fn first_difference(
             j += 1;
             continue;
         }
-        let place = here.or(there)?;
+        let Some(place) = here.or(there) else { break };
         let next = expected[(i + 1).min(expected.len())..]
             .iter()
             .find(|stroke| !is_short(stroke, stroke.from, tolerance))
             .filter(|_| here.is_some());
-        return Some(Divergence {
+        return Err(Box::new(Divergence {
             block: place.block,
             clause: place.clause,
             difference,
             expected: here.copied(),
             observed: there.copied(),
-            settled: next.map_or(usize::MAX, |stroke| stroke.step),
-        });
+            parting: Parting { agreed, settled: next.map_or(usize::MAX, |stroke| stroke.step) },
+        }));
     }
-    None
+    Ok(agreed)
 }
 
 fn differ(
@@ -190,6 +220,6 @@ fn not_finite(answer: &Answer) -> Option<Divergence> {
         difference: Difference::NotFinite,
         expected: None,
         observed: None,
-        settled: 0,
+        parting: Parting { agreed: Vec::new(), settled: 0 },
     })
 }
