@@ -28,14 +28,17 @@ pub struct Divergence {
 pub(crate) struct Parting {
     /// Those before it, in their order, that the answer has too, and could not have forgotten.
     pub(crate) agreed: Vec<usize>,
-    /// The one from which on nothing can bring the two together again.
+    /// The one that has to change, or one before it.
     pub(crate) settled: usize,
+    /// The block whose end lies elsewhere in the answer, which goes on behind it: only what moves that end, or stops the
+    /// path before, could bring the two together, and the answer does not stop there.
+    pub(crate) vector: Option<usize>,
 }
 
 impl Parting {
     /// An answer that every decision may have a part in.
     pub(crate) fn anywhere() -> Parting {
-        Parting { agreed: Vec::new(), settled: usize::MAX }
+        Parting { agreed: Vec::new(), settled: usize::MAX, vector: None }
     }
 
     /// The last path element before this one that the answer has too.
@@ -77,7 +80,10 @@ pub(crate) fn divergence(run: &Run, answer: &Answer, tolerance: Tolerance) -> Op
     let observed = strokes(&answer.steps, tolerance, true);
     let agreed = match first_difference(&expected, &observed, tolerance, true) {
         Ok(agreed) => agreed,
-        Err(divergence) => return Some(*divergence),
+        Err(mut divergence) => {
+            divergence.parting.settled = divergence.expected.map_or(usize::MAX, |here| last_of(run, here.block));
+            return Some(*divergence);
+        }
     };
     if run.alarm != answer.alarm {
         let alarm = run.alarm.or(answer.alarm)?;
@@ -87,7 +93,7 @@ pub(crate) fn divergence(run: &Run, answer: &Answer, tolerance: Tolerance) -> Op
             difference: Difference::Alarm(run.alarm, answer.alarm),
             expected: None,
             observed: None,
-            parting: Parting { agreed, settled: usize::MAX },
+            parting: Parting { agreed, settled: usize::MAX, vector: None },
         });
     }
     None
@@ -140,20 +146,35 @@ fn first_difference(
             continue;
         }
         let Some(place) = here.or(there) else { break };
-        let next = expected[(i + 1).min(expected.len())..]
-            .iter()
-            .find(|stroke| !is_short(stroke, stroke.from, tolerance))
-            .filter(|_| here.is_some());
+        let vector = here.map(|stroke| stroke.block);
+        let vector = vector.filter(|block| ends_elsewhere(*block, expected, observed, tolerance));
         return Err(Box::new(Divergence {
             block: place.block,
             clause: place.clause,
             difference,
             expected: here.copied(),
             observed: there.copied(),
-            parting: Parting { agreed, settled: next.map_or(usize::MAX, |stroke| stroke.step) },
+            parting: Parting { agreed, settled: usize::MAX, vector },
         }));
     }
     Ok(agreed)
+}
+
+/// The last path element of a block: those of one block are settled together, before any decision on what is behind.
+fn last_of(run: &Run, block: usize) -> usize {
+    run.steps.iter().rposition(|step| step.block == block).unwrap_or(usize::MAX)
+}
+
+/// How many times δ the ends of a block lie from each other that no short moves explain.
+const ELSEWHERE: f64 = 8.0;
+
+/// Whether both paths have moves of a block, the answer has others behind, and the block ends at two places.
+fn ends_elsewhere(block: usize, expected: &[Stroke], observed: &[Stroke], tolerance: Tolerance) -> bool {
+    let last = |strokes: &[Stroke]| strokes.iter().rposition(|stroke| stroke.block == block);
+    let (Some(here), Some(there)) = (last(expected), last(observed)) else { return false };
+    let mut behind = observed[there + 1..].iter();
+    distance(expected[here].to, observed[there].to) > ELSEWHERE * tolerance.delta
+        && behind.any(|stroke| stroke.block > block && !is_short(stroke, stroke.from, tolerance))
 }
 
 fn differ(
@@ -220,6 +241,6 @@ fn not_finite(answer: &Answer) -> Option<Divergence> {
         difference: Difference::NotFinite,
         expected: None,
         observed: None,
-        parting: Parting { agreed: Vec::new(), settled: 0 },
+        parting: Parting { agreed: Vec::new(), settled: 0, vector: None },
     })
 }

@@ -248,13 +248,13 @@ impl<'a> Branch<'a> {
     fn useful(&self, blocks: &[Block<Rational>], parting: &Parting) -> Range<usize> {
         let last = self.choices.partition_point(|choice| choice.elements <= parting.settled);
         let influence = Influence::on(&self.run.steps, blocks);
+        let spared = |choice: &Choice| parting.vector.is_some_and(|end| influence.spares_end_of(end, choice.reading));
         let mut first = last;
         // What another answer to the useful ones may change comes after this path element.
         let mut agreed = parting.agreed_before(usize::MAX);
         while let Some(choice) = first.checked_sub(1).map(|before| &self.choices[before]) {
-            if let (Some(end), Some(agreed)) = (influence.end(choice.reading), agreed)
-                && end <= agreed
-            {
+            let ends = influence.end(choice.reading).zip(agreed).is_some_and(|(end, agreed)| end <= agreed);
+            if ends || (first == last && spared(choice)) {
                 break;
             }
             agreed = agreed.and(parting.agreed_before(choice.elements)).min(agreed);

@@ -45,12 +45,23 @@ impl<'a> Influence<'a> {
 
     /// The first path element that is the same whatever is decided up to the reading of a block, if the path comes to it.
     pub(super) fn end(&self, reading: usize) -> Option<usize> {
-        let after = self.movers.partition_point(|mover| mover.block <= reading);
-        let pair = self.movers[after..].windows(2).find(|pair| !pair[0].lost)?;
+        let second = self.second(reading)?;
         // Moves of the same block behind its own belong to it.
-        let beyond = &self.steps[pair[1].step..];
-        let first = beyond.iter().position(|step| step.block > pair[1].block)?;
-        Some(pair[1].step + first)
+        let beyond = &self.steps[second.step..];
+        let first = beyond.iter().position(|step| step.block > second.block)?;
+        Some(second.step + first)
+    }
+
+    /// Whether the place where a block ends, if the path comes to it, is the same whatever is decided up to the reading of
+    /// another.
+    pub(super) fn spares_end_of(&self, block: usize, reading: usize) -> bool {
+        self.second(reading).is_some_and(|second| second.block <= block)
+    }
+
+    /// The second block that moves after another one, the first being followed by it.
+    fn second(&self, reading: usize) -> Option<&Mover> {
+        let after = self.movers.partition_point(|mover| mover.block <= reading);
+        self.movers[after..].windows(2).find(|pair| !pair[0].lost).map(|pair| &pair[1])
     }
 }
 
