@@ -69,3 +69,92 @@ impl<'a> Influence<'a> {
 fn is_lost(clause: Clause) -> bool {
     [clause::TRC_LOOK_03, clause::TRC_START_04, clause::TRC_MODE_04].contains(&clause)
 }
+
+#[cfg(test)]
+mod tests {
+    use radcomp_model::{Decision, Engine, Sink, run};
+    use radcomp_spec::profile::{BUILTIN, Profile};
+    use rug::Rational;
+    use std::cmp::Ordering;
+
+    use super::*;
+    use crate::generate::{self, Reach};
+
+    fn program(profile: &Profile, number: u64) -> Vec<Block<Rational>> {
+        generate::program(29, number, Reach::of(profile))
+    }
+
+    /// The block with its end elsewhere, if it has one.
+    fn moved(block: &Block<Rational>, by: [i32; 2]) -> Option<Block<Rational>> {
+        let mut moved = block.clone();
+        let (Movement::Line { end } | Movement::Arc { end, .. }) = &mut moved.movement else { return None };
+        end.iter_mut().zip(by).for_each(|(value, by)| *value += Rational::from((by, 8)));
+        Some(moved)
+    }
+
+    /// A block's end is moved, which changes it and the next one with an end. Whatever the rules make of that, what comes
+    /// behind the influence of both is the same, or the path ends before.
+    #[test]
+    fn nothing_behind_the_influence_of_a_change_follows_from_it() {
+        let mut seen = 0;
+        for (name, _) in BUILTIN {
+            let profile = Profile::builtin(name).unwrap();
+            for number in 0..500 {
+                let blocks = program(&profile, number);
+                let exact = run(&profile.parameters, &blocks);
+                let influence = Influence::on(&exact.steps, &blocks);
+                let ends: Vec<usize> =
+                    (0..blocks.len()).filter(|index| moved(&blocks[*index], [0, 0]).is_some()).collect();
+                for pair in ends.windows(2) {
+                    let Some(end) = influence.end(pair[1]) else { continue };
+                    let by = [[1, 0], [-3, 2], [0, -40]][pair[0] % 3];
+                    let mut other = blocks.clone();
+                    other[pair[0]] = moved(&blocks[pair[0]], by).unwrap();
+                    let outcome = run(&profile.parameters, &other);
+                    let (first, last) = (exact.steps[end].block, influence.second(pair[1]).unwrap().block);
+                    if outcome.alarm.is_some_and(|alarm| alarm.block <= last) {
+                        continue;
+                    }
+                    let from = outcome.steps.iter().position(|step| step.block >= first).expect("the path goes on");
+                    let told = format!("{name} #{number}, N{}: {:?}", pair[0] + 1, outcome.alarm);
+                    assert_eq!(outcome.steps[from..], exact.steps[end..], "{told}");
+                    assert_eq!(outcome.alarm, exact.alarm, "{told}");
+                    seen += 1;
+                }
+            }
+        }
+        assert!(seen > 10_000, "{seen}");
+    }
+
+    /// Watches which blocks have path elements.
+    #[derive(Default)]
+    struct Order {
+        last: Option<usize>,
+        decided: bool,
+    }
+
+    impl Sink for Order {
+        fn step(&mut self, step: Step<Real>) {
+            assert!(!self.decided || Some(step.block) > self.last, "a block's path elements stand apart");
+            (self.last, self.decided) = (Some(step.block), false);
+        }
+
+        fn decide(&mut self, decision: Decision) -> Ordering {
+            self.decided |= decision.kind.shapes_the_path();
+            decision.exact
+        }
+    }
+
+    #[test]
+    fn the_path_elements_of_a_block_are_settled_together() {
+        for (name, _) in BUILTIN {
+            let profile = Profile::builtin(name).unwrap();
+            for number in 0..400 {
+                let mut order = Order::default();
+                let mut engine = Engine::new(&profile.parameters);
+                let read = program(&profile, number).iter().try_for_each(|block| engine.push(block, &mut order));
+                let _alarm = read.and_then(|()| engine.finish(&mut order));
+            }
+        }
+    }
+}
