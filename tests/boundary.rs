@@ -31,6 +31,7 @@ const OWN: &[(&str, &str)] = &[
     ("band", r#"straight-band-cosine = "0.96"; outer-corner = "arc""#),
     ("small", r#"small-vector-limit = "4""#),
     ("curve", r#"arc-extension = "curve"; side-change = "intersection""#),
+    ("tolerances", r#"centre-tolerance = "0.05"; chord-tolerance = "0.1""#),
     ("entry", r#"start-up = "entry-normal"; start-up-arc = "moved-centre""#),
 ];
 

@@ -39,7 +39,12 @@ static const char PROFILE[] =
     "pending-at-alarm = ended\n"
     "side-code-vector = refused\n"
     "cancel-vector = refused\n"
-    "offset-change = alarm\n";
+    "offset-change = alarm\n"
+    "chord-tolerance = 0\n"
+    "centre-tolerance = 0\n"
+    "interference = off\n"
+    "interference-blocks = 3\n"
+    "interference-boundary = strict\n";
 
 /* A tool of radius 5 mm runs left of a contour with an inner and an outer corner and an arc. */
 static const radcomp_block PROGRAM[] = {

@@ -31,6 +31,17 @@ pub(crate) struct Arc {
     pub full: bool,
 }
 
+/// By how much the words of an arc may disagree, in millimetres.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tolerances {
+    /// How far its end may lie off the arc about its centre. [TRC-ARC-03]
+    pub end: f64,
+    /// How far from its start or its end a centre counts as lying there. [TRC-ARC-02]
+    pub centre: f64,
+    /// By how much half its chord may exceed its radius. [TRC-ARC-06]
+    pub chord: f64,
+}
+
 /// How much of the chord's rounding reaches the rays of an arc with R at most: nearer to a half turn the inputs
 /// themselves no longer tell the tangent, and a wider band would be a tolerance.
 const MOST_AMPLIFIED: f64 = 8.0;
@@ -44,10 +55,10 @@ impl Arc {
 
 impl Element {
     /// Checks the form of an arc from `start` to `end`, finds its centre, and makes this that arc. All numbers are
-    /// within range ([TRC-MODE-07]); `tolerance` is in millimetres.
+    /// within range ([TRC-MODE-07]).
     ///
     /// # Errors
-    /// [TRC-ARC-06] for an arc with R; [TRC-ARC-02] and then [TRC-ARC-03] for one with centre words.
+    /// [TRC-ARC-06] for an arc with R, then [TRC-ARC-02], and [TRC-ARC-03] for one with centre words.
     #[inline(always)]
     pub fn set_arc(
         &mut self,
@@ -55,15 +66,15 @@ impl Element {
         end: Vector,
         centre: &Centre<f64>,
         direction: Direction,
-        tolerance: f64,
+        tolerances: Tolerances,
     ) -> Result<(), AlarmKind> {
         let sense = match direction {
             Direction::Counterclockwise => 1.0,
             Direction::Clockwise => -1.0,
         };
         match *centre {
-            Centre::FromStart([a, b]) => self.set_about(start, end, Vector::new(a, b), sense, tolerance),
-            Centre::Radius(radius) => self.set_with_radius(start, end, radius, sense),
+            Centre::FromStart([a, b]) => self.set_about(start, end, Vector::new(a, b), sense, tolerances),
+            Centre::Radius(radius) => self.set_with_radius(start, end, radius, sense, tolerances),
         }
     }
 
@@ -74,20 +85,24 @@ impl Element {
         end: Vector,
         to_centre: Vector,
         sense: f64,
-        tolerance: f64,
+        tolerances: Tolerances,
     ) -> Result<(), AlarmKind> {
         if to_centre == Vector::zeros() {
             return Err(AlarmKind::CentreAtEnd);
         }
         let full = start == end;
         let (toward, start_radius) = direction(to_centre);
-        let scale = greater(greater(magnitude(start), magnitude(end)), start_radius);
-        let to_end = (end - start) - to_centre;
-        if !full && sign(magnitude(to_end), scale) == Ordering::Equal {
+        // The vector to the centre is an input, whatever the coordinates are.
+        if sign(start_radius - tolerances.centre, start_radius) != Ordering::Greater {
             return Err(AlarmKind::CentreAtEnd);
         }
+        let scale = greater(greater(magnitude(start), magnitude(end)), start_radius);
+        let to_end = (end - start) - to_centre;
         let (end_ray, end_radius) = direction(to_end);
-        if sign((start_radius - end_radius).abs() - tolerance, scale) == Ordering::Greater {
+        if !full && sign(end_radius - tolerances.centre, scale) != Ordering::Greater {
+            return Err(AlarmKind::CentreAtEnd);
+        }
+        if sign((start_radius - end_radius).abs() - tolerances.end, scale) == Ordering::Greater {
             return Err(AlarmKind::EndOffArc);
         }
         let centre = start + to_centre;
@@ -100,9 +115,16 @@ impl Element {
     }
 
     #[inline(never)]
-    fn set_with_radius(&mut self, start: Vector, end: Vector, radius: f64, sense: f64) -> Result<(), AlarmKind> {
-        let size = radius.abs();
-        if start == end || size == 0.0 {
+    fn set_with_radius(
+        &mut self,
+        start: Vector,
+        end: Vector,
+        radius: f64,
+        sense: f64,
+        tolerances: Tolerances,
+    ) -> Result<(), AlarmKind> {
+        let mut size = radius.abs();
+        if start == end || size + tolerances.chord == 0.0 {
             return Err(AlarmKind::NoSuchArc);
         }
         let scale = greater(greater(magnitude(start), magnitude(end)), size);
@@ -110,14 +132,26 @@ impl Element {
         let half = 0.5 * chord;
         let left = if radius > 0.0 { sense } else { -sense };
         let (halfway, height, amplified) = match sign(size - half, scale) {
-            Ordering::Less => return Err(AlarmKind::NoSuchArc),
+            Ordering::Less if sign(half - size - tolerances.chord, scale) == Ordering::Greater => {
+                return Err(AlarmKind::NoSuchArc);
+            }
+            Ordering::Less => {
+                size = half;
+                (1.0, 0.0, 0.0)
+            }
             // The chord is a diameter: the centre is its midpoint, whatever rounding left of the difference.
-            Ordering::Equal => (1.0, 0.0, 0.0),
+            Ordering::Equal => {
+                size = if size > 0.0 { size } else { half };
+                (1.0, 0.0, 0.0)
+            }
             Ordering::Greater => {
                 let height = libm::sqrt((size - half) * (size + half));
                 (half / size, height / size, lesser(half / height, MOST_AMPLIFIED))
             }
         };
+        if tolerances.centre > 0.0 && sign(size - tolerances.centre, scale) != Ordering::Greater {
+            return Err(AlarmKind::CentreAtEnd);
+        }
         let along_part = along * halfway;
         let across_part = perp(along) * (left * height);
         let start_ray = -(along_part + across_part);

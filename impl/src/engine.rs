@@ -1,7 +1,7 @@
 //! The engine: reads blocks, checks their numbers and arcs, and lets the look-ahead drive the geometry.
 
 use nalgebra::Vector2;
-use radcomp_spec::parameters::ZeroLengthMove;
+use radcomp_spec::parameters::{Approach, StartUp};
 use radcomp_spec::{Alarm, AlarmKind, Block, Centre, Direction, Movement, Parameters, Step};
 
 use crate::geometry::{Event, Kind};
@@ -184,15 +184,22 @@ impl Engine {
     ) -> Result<(), Alarm> {
         let index = self.blocks;
         self.blocks = index.wrapping_add(1);
-        let end = form.unwrap_or(self.state.position);
+        let end = match form {
+            Ok(end) => end,
+            Err(kind) => return self.refuse(block, index, kind, sink),
+        };
         let mut scene = Scene { state: &mut self.state, sink, end, block: index, rapid: block.rapid, given };
-        if let Err(fault) = form {
-            return self.window.fault(index, fault, &mut scene);
-        }
         let mut other_radius = false;
         if let Some(radius) = block.radius {
             other_radius = radius.abs() != scene.state.radius_in_force;
             (scene.state.radius_in_force, scene.state.swapped) = (radius.abs(), radius < 0.0);
+        }
+        if let Some(approach) = block.approach {
+            self.window.approach(approach);
+            scene.state.rules.start_up = match approach {
+                Approach::Norm => StartUp::TypeA,
+                Approach::Kont => StartUp::TypeB,
+            };
         }
         if let Some(outer) = block.corner {
             scene.state.rules.outer = outer;
@@ -203,9 +210,8 @@ impl Engine {
             other_radius,
             rapid: block.rapid,
             swapped: scene.state.swapped,
-            zero_length: scene.state.zero_length_move == ZeroLengthMove::BreaksLookAhead
-                && matches!(block.movement, Movement::Line { .. } | Movement::HeldVector { .. })
-                && kind == Kind::Still,
+            zero_length: kind == Kind::Still
+                && matches!(block.movement, Movement::Line { .. } | Movement::HeldVector { .. }),
             stops: block.stops_look_ahead,
             not_in_mode: block.not_in_mode,
             vector: given != Vector::zeros() && block.vector.is_some(),
@@ -219,6 +225,22 @@ impl Engine {
         self.window.read(index, event, &mut scene)?;
         self.state.position = end;
         Ok(())
+    }
+
+    /// Raises the alarm of a block whose numbers are out of range, or of an arc that does not exist. [TRC-MODE-06]
+    #[cold]
+    fn refuse<S: Sink>(
+        &mut self,
+        block: &Block<f64>,
+        index: usize,
+        kind: AlarmKind,
+        sink: &mut S,
+    ) -> Result<(), Alarm> {
+        let (end, given) = (self.state.position, Vector::zeros());
+        let other_radius = block.radius.is_some_and(|radius| radius.abs() != self.state.radius_in_force);
+        let event = Event { code: block.compensation, other_radius, ..Event::of(Kind::Arc) };
+        let mut scene = Scene { state: &mut self.state, sink, end, block: index, rapid: block.rapid, given };
+        self.window.refuse(index, event, kind, &mut scene)
     }
 }
 
@@ -242,12 +264,12 @@ fn form_arc(
     state: &mut State,
 ) -> Result<Vector, AlarmKind> {
     radius_in_range(block, state)?;
-    let (start, end, tolerance) = (state.position, in_range(end)?, state.tolerance);
+    let (start, end, tolerances) = (state.position, in_range(end)?, state.tolerances);
     match *centre {
         Centre::FromStart(vector) => in_range(vector)?,
         Centre::Radius(radius) => in_range([radius, 0.0])?,
     };
-    state.next().set_arc(start, end, centre, direction, tolerance)?;
+    state.next().set_arc(start, end, centre, direction, tolerances)?;
     Ok(end)
 }
 

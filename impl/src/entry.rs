@@ -10,34 +10,32 @@ use crate::element::{Element, sigma};
 use crate::plane::{Vector, direction, dot, greater, is_finite, length, magnitude, perp};
 use crate::sign::sign;
 
-/// Makes an element that the program moves on an entry move from `from`, where the tool's centre stands; lengths in
-/// millimetres.
+/// Makes an element that the program moves on an entry move. A line is measured from its programmed start, an arc from
+/// `tool`, where the tool's centre stands; lengths in millimetres.
 ///
 /// # Errors
-/// [TRC-ARC-05], [TRC-START-07], [TRC-START-09]; [TRC-MODE-07] where rounding leaves the moved centre out of range.
+/// [TRC-START-07], [TRC-START-09], [TRC-ARC-05]; [TRC-MODE-07] where rounding leaves the moved centre out of range.
 pub(crate) fn enter(
     element: &mut Element,
-    from: Vector,
+    tool: Vector,
     radius: f64,
     side: Side,
     equal: EqualRadius,
 ) -> Result<(), AlarmKind> {
-    if !element.tool_fits(side, radius, equal) {
-        return Err(AlarmKind::RadiusTooSmall);
-    }
+    let from = if element.arc.is_some() { tool } else { element.start };
     let scale = greater(greater(element.scale, magnitude(from)), radius);
     let from_end = from - element.end;
     if sign(length(from_end) - radius, scale) != Ordering::Greater {
         return Err(AlarmKind::EntryTooShort);
     }
+    if !element.tool_fits(side, radius, equal) {
+        return Err(AlarmKind::RadiusTooSmall);
+    }
     element.side = sigma(side);
     match element.arc {
         // With the vector at the centre no circle leads to it. [TRC-ARC-08]
         Some(_) if element.is_point(radius) => Err(AlarmKind::NoEntryArc),
-        None => {
-            element.set_line(from, element.end);
-            Ok(())
-        }
+        None => Ok(()),
         Some(arc) => enter_on_arc(element, arc, from_end, element.side * arc.sense * radius, scale),
     }
 }

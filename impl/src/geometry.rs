@@ -36,7 +36,7 @@ pub struct Event {
     pub rapid: bool,
     /// The radius in force is negative: the sides are exchanged. [TRC-SIDE-07]
     pub swapped: bool,
-    /// It is a straight move of length zero, and the profile lets that break the look-ahead. [TRC-LOOK-07]
+    /// It is a straight move of length zero. [TRC-LOOK-07]
     pub zero_length: bool,
     /// It holds a code that stops reading ahead. [TRC-LOOK-08]
     pub stops: bool,
@@ -141,12 +141,15 @@ pub trait Geometry {
     /// # Errors
     /// An alarm at the block read.
     fn junction(&mut self, meeting: Meeting, side: Side) -> Result<Self::Junction, AlarmKind>;
-    /// Emits the pending element; `start_up` when it is a start-up block, but for an entry move, which is looked at as
-    /// other elements are. [TRC-WEDGE-02], [TRC-WEDGE-03]
+    /// Emits the pending element; `start_up` when it is a start-up block, but for an arc as entry move, which is looked at
+    /// as other elements are. [TRC-WEDGE-02], [TRC-WEDGE-03]
     ///
     /// # Errors
     /// An alarm at the pending block, of which nothing is emitted then.
     fn settle(&mut self, end: End<Self::Junction>, start_up: bool) -> Result<(), AlarmKind>;
+    /// Emits the moves of the junction before the pending element that it owns, when the element itself is lost in an
+    /// alarm. [TRC-MODE-10]
+    fn start_moves(&mut self);
     /// Emits a block without movement.
     fn hold(&mut self, block: usize, rapid: bool, clause: Clause);
     /// Emits the corner moves that the block read owns: a dummy block, or a cancel block of type B.
@@ -156,6 +159,9 @@ pub trait Geometry {
     /// Emits the block read as a straight move to the programmed point where it stands, or as a block without movement
     /// if the tool's centre stands there. [TRC-CANCEL-06]
     fn retreat(&mut self);
+    /// Emits the block read, a move of length zero, as a straight move to the programmed point, even if the tool's centre
+    /// stands there. [TRC-LOOK-07]
+    fn come_back(&mut self, clause: Clause);
     /// Makes the element read, which is on this side, the pending one.
     fn begin(&mut self, begin: Begin, side: Side);
     /// Emits a corner arc on this side as a block's own move, behind the element that ended last: the block read's, or

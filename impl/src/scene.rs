@@ -4,9 +4,10 @@ mod vector;
 
 use core::cmp::Ordering;
 
-use radcomp_spec::parameters::{CornerOwner, EqualRadius, NegativeRadius, ReversedPath, StartUp, ZeroLengthMove};
+use radcomp_spec::parameters::{CornerOwner, EqualRadius, NegativeRadius, ReversedPath, StartUp};
 use radcomp_spec::{AlarmKind, Clause, Parameters, Segment, Side, Step, clause};
 
+use crate::arc_form::Tolerances;
 use crate::element::{Element, sigma};
 use crate::engine::{MOST, Sink};
 use crate::entry;
@@ -25,13 +26,11 @@ use crate::wedge;
 pub(crate) struct State {
     /// What the profile says of junctions, and the outer corner in force. [TRC-CORNER-11]
     pub rules: Rules,
-    /// [TRC-ARC-03], in millimetres.
-    pub tolerance: f64,
+    /// What the profile says of the form of arcs.
+    pub tolerances: Tolerances,
     reversed: ReversedPath,
     /// The least radius that is in range, in millimetres. [TRC-MODE-07], [TRC-SIDE-07]
     pub least_radius: f64,
-    /// [TRC-LOOK-07]
-    pub zero_length_move: ZeroLengthMove,
     /// Programmed end of the last block.
     pub position: Vector,
     /// Where the tool's centre stands at the end of what has been emitted.
@@ -61,10 +60,13 @@ impl State {
         let zero = Vector::new(0.0, 0.0);
         State {
             rules: Rules::new(parameters),
-            tolerance: value(parameters.arc_end_tolerance),
+            tolerances: Tolerances {
+                end: value(parameters.arc_end_tolerance),
+                centre: value(parameters.centre_tolerance),
+                chord: value(parameters.chord_tolerance),
+            },
             reversed: parameters.reversed_path,
             least_radius: if parameters.negative_radius == NegativeRadius::SwapsSides { -MOST } else { 0.0 },
-            zero_length_move: parameters.zero_length_move,
             position: zero,
             tool: zero,
             carried: 0.0,
@@ -229,6 +231,14 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         Ok(())
     }
 
+    fn start_moves(&mut self) {
+        let State { elements, junctions, pending, tool, .. } = &mut *self.state;
+        let (pending, _) = places(*pending);
+        let element = &elements[pending];
+        let mut path = PathEnd { tool, sink: self.sink, block: element.block, rapid: element.rapid };
+        path.corner_moves(&junctions[pending]);
+    }
+
     #[inline(always)]
     fn hold(&mut self, block: usize, rapid: bool, clause: Clause) {
         self.sink.step(Step { block, clause, rapid, main: false, segment: Segment::Hold });
@@ -257,10 +267,14 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         if sign(magnitude(to - tool), scale) == Ordering::Equal {
             self.hold(self.block, self.rapid, clause::TRC_LOOK_01);
         } else {
-            let tool = &mut self.state.tool;
-            let mut path = PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid };
-            path.own_move(None, to, false, clause::TRC_CANCEL_06);
+            self.come_back(clause::TRC_CANCEL_06);
         }
+    }
+
+    fn come_back(&mut self, clause: Clause) {
+        let tool = &mut self.state.tool;
+        let mut path = PathEnd { tool, sink: self.sink, block: self.block, rapid: self.rapid };
+        path.own_move(None, self.end, false, clause);
     }
 
     #[inline(always)]

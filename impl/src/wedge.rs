@@ -79,6 +79,7 @@ fn arc_reversed(arc: &Arc, error: f64, from: Vector, to: Vector, scale: f64) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arc_form::Tolerances;
     use crate::plane::perp;
     use radcomp_spec::{Centre, Direction};
 
@@ -88,6 +89,7 @@ mod tests {
 
     #[test]
     fn sweeps_against_angles() {
+        let tolerances = Tolerances { end: 0.01, centre: 0.0, chord: 0.0 };
         for sense in [1.0, -1.0] {
             for programmed in (10_i32..360).step_by(25) {
                 for swept in (0..360).step_by(15) {
@@ -95,7 +97,7 @@ mod tests {
                     let (start, end) = (ray(20.0) * 5.0, ray(20.0 + sense * f64::from(programmed)) * 5.0);
                     let centre = Centre::FromStart([-start.x, -start.y]);
                     let mut element = Element::unused();
-                    element.set_arc(start, end, &centre, direction, 0.01).unwrap();
+                    element.set_arc(start, end, &centre, direction, tolerances).unwrap();
                     let (from, to) = (ray(50.0) * 4.0, ray(50.0 + sense * f64::from(swept)) * 4.0);
                     let expected = (programmed - swept).abs() > 180;
                     let alarm = reversed(&element, from, to, false);

@@ -10,8 +10,8 @@ mod transition;
 mod vector;
 
 use radcomp_spec::parameters::{
-    Cancel, CancelVector, CancelWithoutMovement, OffsetChange, PendingAtAlarm, SameCode, SideChange,
-    SideChangeAfterStartUp, SideCodeVector, StartUp, StartUpArc, StartUpLost, StartUpWithoutMovement,
+    Approach, Cancel, CancelVector, CancelWithoutMovement, OffsetChange, PendingAtAlarm, SameCode, SideChange,
+    SideChangeAfterStartUp, SideCodeVector, StartUp, StartUpArc, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
 };
 use radcomp_spec::{Alarm, AlarmKind, Compensation, Parameters, Side, clause};
 
@@ -36,8 +36,10 @@ enum Start {
     No,
     /// It is a start-up block of type A or B.
     Block,
-    /// It is an entry move, and counts as compensated. [TRC-START-07], [TRC-START-09]
+    /// It is a straight entry move, and counts as compensated from its end on. [TRC-START-07]
     Entry,
+    /// It is an arc as entry move, and counts as compensated. [TRC-START-09]
+    EntryArc,
     /// It is a block without movement that may start up; cancel mode is in force until an element follows.
     /// [TRC-START-08]
     Shift,
@@ -69,6 +71,7 @@ struct Policy {
     side_vector: SideCodeVector,
     cancel_vector: CancelVector,
     offset_change: OffsetChange,
+    zero_length_move: ZeroLengthMove,
     /// Blocks without movement allowed between two moves.
     allowed: usize,
 }
@@ -93,6 +96,14 @@ pub struct Window {
 }
 
 impl Window {
+    /// NORM or KONT has been read: what it says of start-up and cancel. [TRC-START-12]
+    pub fn approach(&mut self, approach: Approach) {
+        (self.policy.start_up, self.policy.cancel) = match approach {
+            Approach::Norm => (StartUp::TypeA, Cancel::TypeA),
+            Approach::Kont => (StartUp::TypeB, Cancel::TypeB),
+        };
+    }
+
     /// The look-ahead at the start of a program: cancel mode, nothing pending.
     #[must_use]
     pub fn new(parameters: &Parameters) -> Self {
@@ -110,6 +121,7 @@ impl Window {
             side_vector: parameters.side_code_vector,
             cancel_vector: parameters.cancel_vector,
             offset_change: parameters.offset_change,
+            zero_length_move: parameters.zero_length_move,
             allowed: parameters.non_moving_allowed.map_or(usize::MAX, usize::from),
         };
         Window {
@@ -149,32 +161,57 @@ impl Window {
         }
     }
 
+    /// Raises the alarm of a block's own form: numbers out of range come before what its codes raise, an arc that does not
+    /// exist behind it. [TRC-MODE-06]
+    ///
+    /// # Errors
+    /// This alarm, one of its codes, or the one that ending the pending element raises at its block.
+    #[cold]
+    pub fn refuse<G: Geometry>(
+        &mut self,
+        block: usize,
+        event: Event,
+        kind: AlarmKind,
+        geometry: &mut G,
+    ) -> Result<(), Alarm> {
+        if kind != AlarmKind::OutOfRange {
+            self.read_codes(block, event, geometry)?;
+        } else if event.code == Some(Compensation::Off) {
+            self.asked = None;
+        }
+        self.fault(block, kind, geometry)
+    }
+
     /// The side in force. [TRC-SIDE-07]
     #[inline(always)]
     fn side_in_force(&self) -> Option<Side> {
         self.asked.map(|side| if self.swapped { side.other() } else { side })
     }
 
-    /// The codes of a block, and the radius that it puts in force.
+    /// The codes of a block, and the radius that it puts in force. [TRC-MODE-05], [TRC-SIDE-01], [TRC-MODE-03],
+    /// [TRC-MODE-08]
     #[inline(never)]
     fn read_codes<G: Geometry>(&mut self, block: usize, event: Event, geometry: &mut G) -> Result<(), Alarm> {
         let off = event.code == Some(Compensation::Off);
+        match event.code {
+            Some(Compensation::On(side)) if self.asked == Some(side) => self.same_code(block, geometry)?,
+            Some(Compensation::On(_)) if self.asked.is_some() && self.policy.side_change == SideChange::Forbidden => {
+                return self.fault(block, AlarmKind::SideChangeForbidden, geometry);
+            }
+            Some(Compensation::On(side)) => self.asked = Some(side),
+            Some(Compensation::Off) => self.asked = None,
+            None => {}
+        }
         // The last of several blocks that start up without movement is the start-up block. [TRC-START-08]
         let starts_again = self.shift_waits() && event.kind == Kind::Still && event.code.is_some();
         let in_mode = self.mode == Mode::Offset || self.shift_waits() && !starts_again;
         if event.other_radius && in_mode && !off && self.policy.offset_change == OffsetChange::Alarm {
             return self.fault(block, AlarmKind::OffsetChangedInMode, geometry);
         }
-        if let Some(kind) = event.not_in_mode {
-            return self.fault(block, kind, geometry);
+        match event.not_in_mode {
+            Some(kind) => self.fault(block, kind, geometry),
+            None => Ok(()),
         }
-        match event.code {
-            Some(Compensation::On(side)) if self.asked == Some(side) => self.same_code(block, geometry)?,
-            Some(Compensation::On(side)) => self.asked = Some(side),
-            Some(Compensation::Off) => self.asked = None,
-            None => {}
-        }
-        Ok(())
     }
 
     /// The code in force, given again. [TRC-MODE-05]

@@ -52,18 +52,20 @@ fn block() -> impl Strategy<Value = Block<f64>> {
         1 => number().prop_map(Some),
         2 => prop::sample::select(vec![Some(1.0), Some(-1.0)]),
     ];
+    let approach = prop::option::weighted(0.1, any_of(Approach::VALUES));
     let stops = prop::bool::weighted(0.05);
     let not_in_mode = prop_oneof![60 => Just(None), 1 => Just(Some(AlarmKind::ToolChangeInMode))];
     // Beside an arc too, where no reader gives one.
     let vector = prop::option::weighted(0.3, [number(), number()]);
-    (movement(), any::<bool>(), code, vector, radius, corner, stops, not_in_mode).prop_map(
-        |(movement, rapid, compensation, vector, radius, corner, stops_look_ahead, not_in_mode)| Block {
+    (movement(), any::<bool>(), code, vector, radius, (corner, approach), stops, not_in_mode).prop_map(
+        |(movement, rapid, compensation, vector, radius, (corner, approach), stops_look_ahead, not_in_mode)| Block {
             movement,
             rapid,
             compensation,
             vector,
             radius,
             corner,
+            approach,
             stops_look_ahead,
             not_in_mode,
         },

@@ -60,6 +60,10 @@ impl Geometry for Watch {
         }
     }
 
+    fn start_moves(&mut self) {
+        unreachable!("with `ended` no block is lost");
+    }
+
     fn hold(&mut self, block: usize, is_rapid: bool, _: Clause) {
         assert_eq!(is_rapid, rapid(block));
         // A start-up block without movement may turn out to be none. [TRC-START-08]
@@ -76,6 +80,10 @@ impl Geometry for Watch {
     }
 
     fn follow(&mut self, _: Clause) {
+        self.emit(self.read);
+    }
+
+    fn come_back(&mut self, _: Clause) {
         self.emit(self.read);
     }
 
@@ -103,7 +111,7 @@ fn events() -> Vec<Event> {
     let all = codes.iter().flat_map(|code| kinds.map(|kind| (*code, kind)));
     let plain = all.map(|(code, kind)| Event { code, ..Event::of(kind) });
     let stops = kinds.map(|kind| Event { stops: true, ..Event::of(kind) });
-    let zero_length = Event { zero_length: true, ..Event::of(Kind::Still) };
+    let zero_length = codes.map(|code| Event { code, zero_length: true, ..Event::of(Kind::Still) });
     let stopping_code = Event { stops: true, code: sides[0], ..Event::of(Kind::Still) };
     let swapped = Event { swapped: true, ..Event::of(Kind::Line) };
     let not_in_mode = Event { not_in_mode: Some(AlarmKind::ToolChangeInMode), ..Event::of(Kind::Still) };
@@ -114,7 +122,7 @@ fn events() -> Vec<Event> {
         .into_iter()
         .flat_map(|kind| [codes[1], codes[2]].map(|code| Event { code, vector: true, ..Event::of(kind) }));
     let given = vectors.into_iter().chain([no_length, stopping_corner]).chain(beside);
-    plain.chain(stops).chain([zero_length, stopping_code, swapped, not_in_mode]).chain(given).collect()
+    plain.chain(stops).chain(zero_length).chain([stopping_code, swapped, not_in_mode]).chain(given).collect()
 }
 
 /// Everything before the alarm's block has been emitted, and nothing of it or after it.
@@ -133,9 +141,12 @@ fn explore(window: &Window, watch: &Watch, allowed: usize, depth: u32, events: &
             Ok(()) => assert_eq!((watch.next, window.held()), (watch.read, 0)),
             Err(alarm) => assert_eq!((watch.next, bad), (alarm.block, 4)),
         }
-        let mut other = Watch { bad, ..watch.clone() };
-        if let Err(alarm) = window.fault(watch.read, AlarmKind::OutOfRange, &mut other) {
-            assert!(alarm.block <= watch.read);
+    }
+    for kind in [AlarmKind::OutOfRange, AlarmKind::NoSuchArc] {
+        for event in events.iter().filter(|event| event.kind == Kind::Arc) {
+            let (mut window, mut watch) = (window.clone(), watch.clone());
+            let alarm = window.refuse(watch.read, *event, kind, &mut watch).expect_err("a refusal is an alarm");
+            check_alarm(alarm, &watch);
         }
     }
     if depth == 0 {
@@ -181,6 +192,7 @@ fn all_sequences_of_every_policy() {
                         non_moving_allowed,
                         side_change,
                         side_change_after_start_up,
+                        zero_length_move: ZeroLengthMove::BreaksLookAhead,
                         ..*SEED_MILL
                     };
                     explore_all(&parameters, 3);
@@ -205,6 +217,7 @@ fn all_sequences_of_every_start_and_end() {
                     ] {
                         let parameters = Parameters {
                             start_up,
+                            zero_length_move: ZeroLengthMove::StartsAndCancels,
                             start_up_without_movement,
                             start_up_arc,
                             cancel,

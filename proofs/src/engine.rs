@@ -67,7 +67,7 @@ pub fn parameters(choice: &mut impl Choice) -> Parameters {
         small_vector_limit: choice.of(&cosines),
         negative_radius: choice.of(&[NegativeRadius::Alarm, NegativeRadius::SwapsSides]),
         equal_radius: choice.of(&[EqualRadius::Alarm, EqualRadius::DegeneratePoint]),
-        zero_length_move: choice.of(&[ZeroLengthMove::NoMovement, ZeroLengthMove::BreaksLookAhead]),
+        zero_length_move: choice.of(ZeroLengthMove::VALUES),
         pending_at_alarm: choice.of(&[PendingAtAlarm::Ended, PendingAtAlarm::Lost]),
         side_code_vector: choice.of(&[
             SideCodeVector::RightAngles,
@@ -76,6 +76,8 @@ pub fn parameters(choice: &mut impl Choice) -> Parameters {
         ]),
         cancel_vector: choice.of(&[CancelVector::Refused, CancelVector::ImaginaryLine]),
         offset_change: choice.of(&[OffsetChange::Alarm, OffsetChange::EndOfBlock]),
+        chord_tolerance: choice.of(&cosines),
+        centre_tolerance: choice.of(&cosines),
         ..crate::look_ahead::parameters(choice, MOST_NON_MOVING)
     }
 }
@@ -116,6 +118,11 @@ pub fn plain() -> Parameters {
         side_code_vector: SideCodeVector::Refused,
         cancel_vector: CancelVector::Refused,
         offset_change: OffsetChange::Alarm,
+        chord_tolerance: NONE,
+        centre_tolerance: NONE,
+        interference: Interference::Off,
+        interference_blocks: InterferenceBlocks::Three,
+        interference_boundary: InterferenceBoundary::Strict,
     }
 }
 
@@ -156,6 +163,7 @@ pub fn block(choice: &mut impl Choice, kinds: u8) -> Block<f64> {
             Some(OuterCorner::Arc),
             Some(OuterCorner::LimitAngle),
         ]),
+        approach: None,
         stops_look_ahead: choice.flag(),
         not_in_mode: choice.of(&[None, Some(AlarmKind::ToolChangeInMode)]),
     }

@@ -25,6 +25,8 @@ pub struct LookAhead {
     capacity: usize,
     /// Blocks that give vectors are among the events.
     vectors: bool,
+    zero_length_move: ZeroLengthMove,
+    side_change: SideChange,
 }
 
 impl LookAhead {
@@ -34,7 +36,9 @@ impl LookAhead {
         let capacity = parameters.non_moving_allowed.map_or(usize::MAX, |allowed| 1 + usize::from(allowed));
         // Without them what they mean does not matter.
         let vectors = parameters.side_code_vector == SideCodeVector::RightAngles;
-        LookAhead { window: Window::new(parameters), watch: Watch::new(parameters), capacity, vectors }
+        let Parameters { zero_length_move, side_change, .. } = *parameters;
+        let (window, watch) = (Window::new(parameters), Watch::new(parameters));
+        LookAhead { window, watch, capacity, vectors, zero_length_move, side_change }
     }
 
     /// The same with another claim of its capacity: what a false twin holds it to.
@@ -51,8 +55,8 @@ impl LookAhead {
     /// # Panics
     /// When the look-ahead breaks a promise.
     pub fn read(&mut self, event: Event, choice: &mut impl Choice) -> Result<(), Alarm> {
-        let LookAhead { window, watch, capacity, .. } = self;
-        let block = watch.read;
+        let LookAhead { window, watch, capacity, zero_length_move, side_change, .. } = self;
+        let (block, asked) = (watch.read, watch.asked);
         watch.begin_block(event);
         let result = window.read(block, event, &mut Answers { watch, choice });
         match result {
@@ -71,8 +75,12 @@ impl LookAhead {
                 assert!(!moves_at_once || window.held() == 0, "behind a vector block the junction is settled");
                 assert!(event.not_in_mode.is_none(), "a code that is not for offset mode is an alarm");
                 let shift = |block| watch.pending.is_some_and(|held| (held.block, held.begin) == (block, Begin::Shift));
-                let breaks = event.stops || event.zero_length && !shift(block);
+                let zero_length = |what| event.zero_length && *zero_length_move == what;
+                let breaks = event.stops || zero_length(ZeroLengthMove::BreaksLookAhead) && !shift(block);
                 assert!(!breaks || window.held() == 0, "a block that breaks the look-ahead leaves nothing held");
+                let changes = asked.is_some() && watch.asked.is_some() && watch.asked != asked;
+                let forbidden = *side_change == SideChange::Forbidden && changes;
+                assert!(!forbidden, "the code of the other side is an alarm where it is forbidden");
             }
         }
         result
@@ -93,15 +101,18 @@ impl LookAhead {
         }
     }
 
-    /// Raises an alarm of the block's own form.
+    /// Refuses a block for its own form.
     ///
     /// # Panics
     /// When a promise is broken.
     pub fn fault(mut self, choice: &mut impl Choice) {
         let LookAhead { window, watch, .. } = &mut self;
-        watch.begin_block(Event::of(Kind::Still));
-        let alarm = window.fault(watch.read, AlarmKind::OutOfRange, &mut Answers { watch, choice });
-        watch.stopped(alarm.expect_err("a fault is an alarm"));
+        let code = choice.of(&[None, Some(Compensation::Off), Some(Compensation::On(Side::Left))]);
+        let event = Event { code, other_radius: choice.flag(), ..Event::of(Kind::Arc) };
+        let kind = choice.of(&[AlarmKind::OutOfRange, AlarmKind::NoSuchArc]);
+        watch.begin_block(event);
+        let alarm = window.refuse(watch.read, event, kind, &mut Answers { watch, choice });
+        watch.stopped(alarm.expect_err("a refusal is an alarm"));
     }
 
     /// The state but for how many blocks came before: two states with the same key behave alike from here on.
@@ -168,12 +179,13 @@ fn merged(event: Event, kind: Kind) -> Event {
 
 /// Any parameters that the look-ahead reads, with at most `allowed` blocks without movement, or any number; the others
 /// are fixed. Values that the look-ahead does not tell apart stand for each other; where changes of side are forbidden,
-/// what they do after start-up does not matter.
+/// what they do after start-up does not matter, and moves of length zero and alarms have their other rules.
 pub fn parameters(choice: &mut impl Choice, allowed: u8) -> Parameters {
-    let (side_change, side_change_after_start_up) = choice.of(&[
-        (SideChange::TwoNormals, SideChangeAfterStartUp::Allowed),
-        (SideChange::TwoNormals, SideChangeAfterStartUp::Alarm),
-        (SideChange::Forbidden, SideChangeAfterStartUp::Alarm),
+    let (ended, lost) = (PendingAtAlarm::Ended, PendingAtAlarm::Lost);
+    let (side_change, side_change_after_start_up, zero_length_move, pending_at_alarm) = choice.of(&[
+        (SideChange::TwoNormals, SideChangeAfterStartUp::Allowed, ZeroLengthMove::BreaksLookAhead, ended),
+        (SideChange::TwoNormals, SideChangeAfterStartUp::Alarm, ZeroLengthMove::BreaksLookAhead, ended),
+        (SideChange::Forbidden, SideChangeAfterStartUp::Alarm, ZeroLengthMove::StartsAndCancels, lost),
     ]);
     let (side_code_vector, cancel_vector, offset_change) = choice.of(&[
         (SideCodeVector::Refused, CancelVector::Refused, OffsetChange::Alarm),
@@ -191,6 +203,8 @@ pub fn parameters(choice: &mut impl Choice, allowed: u8) -> Parameters {
             same_code: choice.of(&[SameCode::Ordinary, SameCode::Normal]),
             side_change,
             side_change_after_start_up,
+            zero_length_move,
+            pending_at_alarm,
             side_code_vector,
             cancel_vector,
             offset_change,
@@ -208,6 +222,8 @@ pub fn parameters(choice: &mut impl Choice, allowed: u8) -> Parameters {
         same_code: choice.of(&[SameCode::Ordinary, SameCode::Normal, SameCode::Alarm]),
         side_change,
         side_change_after_start_up,
+        zero_length_move,
+        pending_at_alarm,
         side_code_vector,
         cancel_vector,
         offset_change,
@@ -239,26 +255,28 @@ pub fn programs_under(choice: &mut impl Choice, parameters: &Parameters, events:
 }
 
 /// The places that [`programs`] must reach.
-pub const PLACES: [&str; 21] = [
+pub const PLACES: [&str; 23] = [
     "a block held and handed on later",
     "a cancel of type B",
     "a cancel with an imaginary line",
     "a cancel without movement",
     "a change of side",
-    "a corner",
     "a corner arc to a vector",
     "a corner arc to the next element",
     "a corner arc without a next element",
+    "a corner",
     "a held vector",
+    "a move of length zero that cancels",
     "a new vector",
-    "a start-up",
-    "a start-up without movement",
     "a start-up without movement that is none",
+    "a start-up without movement",
     "a start-up without vector",
+    "a start-up",
     "a vector of a move",
-    "an alarm",
     "an alarm at the pending block",
+    "an alarm",
     "an end without alarm",
     "an entry move",
+    "corner moves of a block that is lost",
     "corner moves that the block read owns",
 ];

@@ -21,6 +21,8 @@ pub struct Block<N> {
     pub radius: Option<N>,
     /// M96, M97, G450 or G451 in this block ([TRC-CORNER-11]).
     pub corner: Option<crate::OuterCorner>,
+    /// NORM or KONT in this block ([TRC-START-12]).
+    pub approach: Option<crate::Approach>,
     /// A code that stops reading ahead, where the profile says that it breaks the look-ahead ([TRC-LOOK-08]).
     pub stops_look_ahead: bool,
     /// The alarm of a code in this block that the profile does not allow in mode, if the program is in mode there: the
@@ -43,6 +45,7 @@ impl<N> Block<N> {
             vector: None,
             radius: None,
             corner: None,
+            approach: None,
             stops_look_ahead: false,
             not_in_mode: None,
         }

@@ -59,7 +59,7 @@ pub struct Example {
 }
 
 /// The chapter files.
-const FILES: [(&str, &str); 12] = [
+const FILES: [(&str, &str); 13] = [
     ("01-plane.md", include_str!("../clauses/01-plane.md")),
     ("02-mode.md", include_str!("../clauses/02-mode.md")),
     ("03-start-up.md", include_str!("../clauses/03-start-up.md")),
@@ -72,6 +72,7 @@ const FILES: [(&str, &str); 12] = [
     ("10-wedge.md", include_str!("../clauses/10-wedge.md")),
     ("11-tip.md", include_str!("../clauses/11-tip.md")),
     ("12-vectors.md", include_str!("../clauses/12-vectors.md")),
+    ("13-interference.md", include_str!("../clauses/13-interference.md")),
 ];
 
 /// The fence that opens a worked example.

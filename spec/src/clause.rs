@@ -65,6 +65,7 @@ clauses! {
     TRC_START_09 = "TRC-START-09": "An arc as entry move";
     TRC_START_10 = "TRC-START-10": "I, J, K at start-up: a vector at right angles";
     TRC_START_11 = "TRC-START-11": "I, J, K at start-up: an imaginary line";
+    TRC_START_12 = "TRC-START-12": "Codes that choose start-up and cancel";
     TRC_CORNER_01 = "TRC-CORNER-01": "Inner and outer corners";
     TRC_CORNER_02 = "TRC-CORNER-02": "Tangent junction";
     TRC_CORNER_03 = "TRC-CORNER-03": "Inner corner of two lines";
@@ -132,4 +133,9 @@ clauses! {
     TRC_VEC_04 = "TRC-VEC-04": "A move that holds the vector";
     TRC_VEC_05 = "TRC-VEC-05": "A new vector";
     TRC_VEC_06 = "TRC-VEC-06": "I, J, K beside the code of a side in mode";
+    TRC_INT_01 = "TRC-INT-01": "What is looked at for interference";
+    TRC_INT_02 = "TRC-INT-02": "Vectors that interfere";
+    TRC_INT_03 = "TRC-INT-03": "Removal of vectors";
+    TRC_INT_04 = "TRC-INT-04": "Interference of several blocks";
+    TRC_INT_05 = "TRC-INT-05": "Avoidance";
 }

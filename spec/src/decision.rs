@@ -41,8 +41,9 @@ impl DecisionKind {
 
 decisions! {
     Moves = "moves", TRC_LOOK_01, "length of the programmed move; zero is no movement";
-    CentreDistance = "centre-distance", TRC_ARC_02, "distance of start or end from the arc's centre; zero is an alarm";
-    ChordFits = "chord-fits", TRC_ARC_06, "programmed radius less half the chord; negative is an alarm";
+    CentreDistance = "centre-distance", TRC_ARC_02, "distance of start or end from the arc's centre less the tolerance; zero and negative are an alarm";
+    ChordFits = "chord-fits", TRC_ARC_06, "programmed radius and tolerance less half the chord; negative is an alarm";
+    HalfTurn = "half-turn", TRC_ARC_06, "programmed radius less half the chord; negative is a half turn about its middle";
     EndOnArc = "end-on-arc", TRC_ARC_03, "tolerance less the difference of the two radii; negative is an alarm";
     WholeTurn = "whole-turn", TRC_ARC_07, "distance of the tool's start and end from the full circle's own normal; zero is a whole turn";
     ToolFitsArc = "tool-fits-arc", TRC_ARC_05, "arc radius less tool radius, tool inside; zero and negative are an alarm";

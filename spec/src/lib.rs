@@ -21,4 +21,4 @@ pub use block::{Block, Centre, Compensation, Direction, Movement, Side};
 pub use clause::Clause;
 pub use decision::DecisionKind;
 pub use outcome::{Advisory, AdvisoryKind, Alarm, AlarmKind, Segment, Step};
-pub use parameters::{OuterCorner, Parameters};
+pub use parameters::{Approach, OuterCorner, Parameters};

@@ -146,6 +146,8 @@ kinds! {
         CannedCycleInMode = "canned-cycle-in-mode", TRC_MODE_08, "a canned cycle while compensation is in force";
         /// [TRC-VEC-01]
         VectorCodeOutsideMode = "vector-code-outside-mode", TRC_VEC_01, "a code for vectors stands outside compensation";
+        /// [TRC-INT-03], [TRC-INT-04], [TRC-INT-05]
+        Interference = "interference", TRC_INT_01, "vectors of several blocks would lead the tool backwards";
         /// [TRC-MODE-07]
         OutOfRange = "out-of-range", TRC_MODE_07, "a number in this block is not finite, beyond a million metres, or a negative radius that is not allowed";
     }

@@ -53,6 +53,20 @@ choices! {
         /// By intersection down to a limit angle, by an arc below it ([TRC-CORNER-13]); G451.
         LimitAngle = "limit-angle",
     }
+    /// Codes that choose start-up and cancel ([TRC-START-12]).
+    ApproachCodes {
+        /// The control has none.
+        None = "none",
+        /// NORM: type A. KONT: type B.
+        NormKont = "norm-kont",
+    }
+    /// Start-up and cancel as a code chooses them ([TRC-START-12]).
+    Approach {
+        /// NORM: type A.
+        Norm = "norm",
+        /// KONT: type B.
+        Kont = "kont",
+    }
     /// Whether codes choose the outer corner ([TRC-CORNER-11]).
     CornerCodes {
         /// None do: they are errors of the program.
@@ -229,6 +243,41 @@ choices! {
         NoMovement = "no-movement",
         /// Look-ahead is lost there.
         BreaksLookAhead = "breaks-look-ahead",
+        /// A block that moves where it starts or cancels, else one of the blocks without movement.
+        StartsAndCancels = "starts-and-cancels",
+    }
+    /// What several blocks together are looked at for ([TRC-INT-01]).
+    Interference {
+        /// Nothing: [TRC-WEDGE-02] and [TRC-WEDGE-03] alone.
+        Off = "off",
+        /// Vectors of one block that interfere are removed in pairs ([TRC-INT-03]).
+        RemoveVectors = "remove-vectors",
+        /// Vectors of several blocks that interfere raise an alarm ([TRC-INT-04]).
+        Alarm = "alarm",
+        /// Blocks whose vectors interfere are left out ([TRC-INT-05]).
+        Avoid = "avoid",
+    }
+    /// How many blocks that move are read together, the first and the last included ([TRC-INT-04]).
+    InterferenceBlocks {
+        /// Three.
+        Three = "3",
+        /// Four.
+        Four = "4",
+        /// Five.
+        Five = "5",
+        /// Six.
+        Six = "6",
+        /// Seven.
+        Seven = "7",
+        /// Eight.
+        Eight = "8",
+    }
+    /// Whether vectors interfere that lead the tool neither forward nor back ([TRC-INT-02]).
+    InterferenceBoundary {
+        /// They do not.
+        Strict = "strict",
+        /// They do.
+        Inclusive = "inclusive",
     }
     /// M00, M01, M02 and M30 in mode ([TRC-LOOK-08]).
     ReadAheadStop {
@@ -382,4 +431,24 @@ pub struct Parameters {
     pub cancel_vector: CancelVector,
     /// A change of the offset value in mode.
     pub offset_change: OffsetChange,
+    /// By how much half a chord may exceed the radius of its arc, in millimetres.
+    pub chord_tolerance: Ratio,
+    /// How far from an end a centre counts as lying there, in millimetres.
+    pub centre_tolerance: Ratio,
+    /// What several blocks together are looked at for.
+    pub interference: Interference,
+    /// How many blocks that move are read together.
+    pub interference_blocks: InterferenceBlocks,
+    /// Whether vectors interfere that lead the tool neither forward nor back.
+    pub interference_boundary: InterferenceBoundary,
+}
+
+impl Parameters {
+    /// Start-up and cancel as NORM or KONT chooses them ([TRC-START-12]).
+    pub fn approach(&mut self, approach: Approach) {
+        (self.start_up, self.cancel) = match approach {
+            Approach::Norm => (StartUp::TypeA, Cancel::TypeA),
+            Approach::Kont => (StartUp::TypeB, Cancel::TypeB),
+        };
+    }
 }

@@ -38,8 +38,8 @@ pub use table::{PARAMETERS, Parameter};
 use crate::clause::Clause;
 use crate::outcome::AlarmKind;
 use crate::parameters::{
-    Activation, CornerCodes, Dummy, InMode, Measure, OffsetZero, Parameters, Plane, Ratio, ReadAheadStop, Tip,
-    ToolChange, VectorCodes,
+    Activation, ApproachCodes, CornerCodes, Dummy, InMode, Measure, OffsetZero, Parameters, Plane, Ratio,
+    ReadAheadStop, Tip, ToolChange, VectorCodes,
 };
 
 /// A control, as far as compensation can tell it from others.
@@ -78,6 +78,8 @@ pub struct Machine {
     pub dummy_first_axis: Measure,
     /// Which codes choose the outer corner ([TRC-CORNER-11]).
     pub corner_codes: CornerCodes,
+    /// Codes that choose start-up and cancel.
+    pub approach_codes: ApproachCodes,
     /// A change of plane in mode ([TRC-MODE-08]).
     pub plane_change: InMode,
     /// G28, G29 and G30 in mode ([TRC-MODE-08]).

@@ -12,14 +12,16 @@ pub fn is_asked(kind: DecisionKind, reach: Reach) -> bool {
     let by_intersection = parameters.outer_corner == OuterCorner::Intersection;
     match kind {
         DecisionKind::Moves
-        | DecisionKind::CentreDistance
-        | DecisionKind::ChordFits
         | DecisionKind::WholeTurn
         | DecisionKind::ToolFitsArc
         | DecisionKind::Turn
         | DecisionKind::OffsetsMeet
         | DecisionKind::LineForward
         | DecisionKind::ArcForward => true,
+        // A distance of points in whole thousandths is a whole number of thousandths or irrational.
+        DecisionKind::CentreDistance => thousandths(parameters.centre_tolerance).is_some(),
+        DecisionKind::ChordFits => thousandths(parameters.chord_tolerance).is_some(),
+        DecisionKind::HalfTurn => parameters.chord_tolerance.numerator > 0,
         // Two radii of points in whole thousandths differ by a fraction of one only if they are irrational, and then by no
         // rational number.
         DecisionKind::EndOnArc => thousandths(parameters.arc_end_tolerance).is_some(),

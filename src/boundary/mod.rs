@@ -18,7 +18,8 @@
 //!   together: the margin is zero at every tool radius and turns negative at none;
 //! * `near-corner`: at a limit of five radii no corner with a line lies on it, because √24 is no ratio of decimals
 //!   (`wedge.rs` proves it); two arcs do;
-//! * `end-on-arc`: a tolerance that is no whole number of thousandths has no programs in whole thousandths (`asked.rs`);
+//! * `end-on-arc`, `centre-distance` and `chord-fits`: a tolerance that is no whole number of thousandths has no programs
+//!   in whole thousandths (`asked.rs`);
 //! * `smallest-corner`, `limit-angle` and `straight-band`: where √(1 - L²) is irrational, no two decimal vectors stand at
 //!   an angle of cosine L (`asked.rs`), as with the limits of the built-in profiles but 90°;
 //! * `right-angle` asks nothing where outer corners are no intersections, `line-in-forward` where nothing loses the
@@ -102,8 +103,9 @@ pub fn all(seed: u64, count_per_kind: u64, reach: Reach) -> impl Iterator<Item =
 fn figure(kind: DecisionKind, choice: &mut Choice, reach: Reach) -> Option<Figure> {
     match kind {
         DecisionKind::Moves => words::moves(choice),
-        DecisionKind::CentreDistance => words::centre_distance(choice),
-        DecisionKind::ChordFits => words::chord_fits(choice),
+        DecisionKind::CentreDistance => words::centre_distance(choice, reach),
+        DecisionKind::ChordFits => words::chord_fits(choice, reach),
+        DecisionKind::HalfTurn => words::half_turn(choice),
         DecisionKind::EndOnArc => words::end_on_arc(choice, reach),
         DecisionKind::WholeTurn => corner::whole_turn(choice),
         DecisionKind::ToolFitsArc => words::tool_fits(choice),

@@ -40,9 +40,13 @@ pub(super) fn moves(choice: &mut Choice) -> Option<Figure> {
     Some(figure)
 }
 
-/// [TRC-ARC-02] arcs whose centre is an end. One least increment off, the two radii differ by far, but for the arcs
-/// of a few least increments.
-pub(super) fn centre_distance(choice: &mut Choice) -> Option<Figure> {
+/// [TRC-ARC-02] arcs whose centre is an end, or one tolerance from it. One least increment off, the two radii differ by
+/// far, but for the arcs of a few least increments.
+pub(super) fn centre_distance(choice: &mut Choice, reach: Reach) -> Option<Figure> {
+    let tolerance = thousandths(reach.parameters().centre_tolerance)?;
+    if tolerance > 0 {
+        return Some(centre_near_an_end(tolerance, choice));
+    }
     let side = choice.coin().then_some(Side::Left);
     let start = choice.of_fives().times(&Rational::from(choice.between(1, 3000) * 25)).opposite();
     let sense = choice.sense();
@@ -62,8 +66,44 @@ pub(super) fn centre_distance(choice: &mut Choice) -> Option<Figure> {
     Some(figure)
 }
 
+/// [TRC-ARC-02] arcs whose radius is the tolerance.
+fn centre_near_an_end(tolerance: i64, choice: &mut Choice) -> Figure {
+    let side = choice.coin().then_some(Side::Left);
+    let start = choice.of_fives().times(&Rational::from(choice.between(1, 3000) * 25)).opposite();
+    let centre = choice.quarter().times(&Rational::from(tolerance));
+    let end = centre.plus(&centre.perp());
+    let tool = Rational::from(choice.between(1, 4000));
+    let mut figure = Figure::new("arc whose radius is the tolerance", start).on(side).tool(tool).line(Point::origin());
+    figure = figure.arc(end, centre.clone(), choice.sense());
+    figure.to_scale = true;
+    // Away from both ends alike: the end follows on the axis at right angles.
+    figure.nudge(What::Centre(1), centre)
+}
+
+/// [TRC-ARC-06] half a chord that is one tolerance longer than R.
+pub(super) fn chord_fits(choice: &mut Choice, reach: Reach) -> Option<Figure> {
+    let tolerance = thousandths(reach.parameters().chord_tolerance)?;
+    if tolerance == 0 {
+        return half_turn(choice);
+    }
+    let radius = choice.between(1, 3000) * 25 - tolerance;
+    if radius <= 0 {
+        return None;
+    }
+    let along = choice.of_fives();
+    let end = along.times(&Rational::from((radius + tolerance) * 2));
+    let start = choice.of_fives().times(&Rational::from(choice.between(1, 3000) * 25)).opposite();
+    let tool = Rational::from(choice.between(1, radius));
+    let (word, grow) = if choice.coin() { (radius, 1) } else { (-radius, -1) };
+    let side = choice.coin().then_some(Side::Left);
+    let figure = Figure::new("half a chord longer than R by the tolerance", start).on(side).tool(tool);
+    let mut figure = figure.line(Point::origin()).radius_arc(end, Rational::from(word), choice.sense());
+    figure.to_scale = true;
+    Some(figure.nudge(What::Word(1), Point::new(grow, 0)))
+}
+
 /// [TRC-ARC-06] half turns with R.
-pub(super) fn chord_fits(choice: &mut Choice) -> Option<Figure> {
+pub(super) fn half_turn(choice: &mut Choice) -> Option<Figure> {
     let radius = choice.length();
     let along = choice.direction();
     let end = along.times(&Rational::from(&radius * 2));

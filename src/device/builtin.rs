@@ -64,6 +64,7 @@ pub fn round(block: &Block<Rational>) -> Block<f64> {
         vector: block.vector.as_ref().map(point),
         radius: block.radius.as_ref().map(nearest_f64),
         corner: block.corner,
+        approach: block.approach,
         stops_look_ahead: block.stops_look_ahead,
         not_in_mode: block.not_in_mode,
     }

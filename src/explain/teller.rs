@@ -213,6 +213,7 @@ impl<W: Write> Sink for Teller<W> {
             DecisionKind::Moves
             | DecisionKind::CentreDistance
             | DecisionKind::ChordFits
+            | DecisionKind::HalfTurn
             | DecisionKind::EndOnArc
             | DecisionKind::ToolFitsArc
             | DecisionKind::EntryLength

@@ -6,7 +6,7 @@ use radcomp_spec::AlarmKind;
 
 use super::codes::{self, Code, Group, Meaning};
 use super::diagnostic::{Kind, LineFault};
-use super::word::Word;
+use super::word::{NAMED, Word};
 
 /// The words of a block.
 #[derive(Debug)]
@@ -63,7 +63,7 @@ impl<'a> Command<'a> {
         let mut command = Command { words: Vec::with_capacity(given.len()), codes: Vec::new() };
         for (index, word) in given.into_iter().enumerate() {
             match word.letter {
-                'G' | 'M' => command.add_code(&word)?,
+                'G' | 'M' | NAMED => command.add_code(&word)?,
                 'N' if index > 0 => {
                     let message = "the sequence number stands first in its block";
                     return Err(LineFault::new(Kind::MisplacedWord, word.span, message));
@@ -102,10 +102,13 @@ impl<'a> Command<'a> {
     }
 
     fn add_code(&mut self, word: &Word<'_>) -> Result<(), LineFault> {
-        let found = word.whole().and_then(|number| codes::find(word.letter, number));
+        let found = match word.letter {
+            NAMED => codes::named(word.number),
+            letter => word.whole().and_then(|number| codes::find(letter, number)),
+        };
         let Some(code) = found else { return Err(unsupported(word)) };
         if let Some(other) = self.code(code.group) {
-            let message = match other.code.number == code.number {
+            let message = match other.code.meaning == code.meaning && other.code.number == code.number {
                 true => format!("{code} stands in this block already"),
                 false => format!("{} and {code} exclude each other in one block", other.code),
             };

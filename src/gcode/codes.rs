@@ -3,14 +3,16 @@
 use std::fmt;
 
 use radcomp_spec::parameters::{CornerCodes, Plane};
-use radcomp_spec::{AlarmKind, Direction, OuterCorner};
+use radcomp_spec::{AlarmKind, Approach, Direction, OuterCorner};
+
+use super::word::NAMED;
 
 /// A code that is accepted.
 #[derive(Debug)]
 pub(super) struct Code {
-    /// G or M.
+    /// G or M; [`NAMED`] of a code that is a word.
     pub(super) letter: char,
-    /// Its number.
+    /// Its number; 0 of a code that is a word.
     pub(super) number: u32,
     /// Codes of one group exclude each other in a block.
     pub(super) group: Group,
@@ -41,6 +43,7 @@ pub(super) enum Group {
     Coolant,
     Gear,
     Corner,
+    Approach,
     Vector,
 }
 
@@ -59,6 +62,8 @@ pub(super) enum Meaning {
     Compensation(usize),
     /// M96, M97, G450 or G451: which codes they are, and the outer corner.
     Corner(CornerCodes, OuterCorner),
+    /// NORM or KONT ([TRC-START-12]).
+    Approach(Approach),
     /// G38 ([TRC-VEC-01]).
     HeldVector,
     /// G39 ([TRC-VEC-01]).
@@ -169,8 +174,26 @@ pub(super) const CODES: &[Code] = &[
     m(97, Group::Corner,       Meaning::Corner(CornerCodes::M96M97, OuterCorner::Intersection), "outer corners by intersection"),
 ];
 
+/// The codes that are words.
+static NAMED_CODES: [(&str, Code); 2] = [
+    ("NORM", approach(Approach::Norm, "start-up and cancel at right angles")),
+    ("KONT", approach(Approach::Kont, "start-up and cancel round the contour's point")),
+];
+
+const fn approach(approach: Approach, reason: &'static str) -> Code {
+    Code { letter: NAMED, number: 0, group: Group::Approach, meaning: Meaning::Approach(approach), reason }
+}
+
+/// The code that is this word.
+pub(super) fn named(name: &str) -> Option<&'static Code> {
+    NAMED_CODES.iter().find(|(known, _)| *known == name).map(|(_, code)| code)
+}
+
 impl fmt::Display for Code {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some((name, _)) = NAMED_CODES.iter().find(|(_, code)| code.meaning == self.meaning) {
+            return f.write_str(name);
+        }
         write!(f, "{}{:02}", self.letter, self.number)
     }
 }

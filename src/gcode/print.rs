@@ -3,9 +3,9 @@
 mod error;
 mod line;
 
-use radcomp_spec::parameters::{Activation, CornerCodes, Measure, Plane};
+use radcomp_spec::parameters::{Activation, ApproachCodes, CornerCodes, Measure, Plane};
 use radcomp_spec::profile::Profile;
-use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
+use radcomp_spec::{AlarmKind, Approach, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
 use rug::Rational;
 
 use super::axes::{AXES, CENTRES, axes_of, name_of};
@@ -121,6 +121,9 @@ impl Printer<'_> {
         if let Some(corner) = block.corner {
             line.code(self.corner_code(corner, line.block())?);
         }
+        if let Some(approach) = block.approach {
+            line.code(self.approach_code(approach, line.block())?);
+        }
         if let Some(radius) = &expected.radius {
             self.offset(radius, source.orientation, line)?;
         }
@@ -158,6 +161,14 @@ impl Printer<'_> {
             (CornerCodes::G450G451, OuterCorner::Arc) => Ok("G450"),
             (CornerCodes::G450G451, OuterCorner::LimitAngle) => Ok("G451"),
             _ => Err(PrintError::NoCode { block, wanted: "this choice of the outer corner" }),
+        }
+    }
+
+    fn approach_code(&self, wanted: Approach, block: usize) -> Result<&'static str, PrintError> {
+        match (self.profile.machine.approach_codes, wanted) {
+            (ApproachCodes::NormKont, Approach::Norm) => Ok("NORM"),
+            (ApproachCodes::NormKont, Approach::Kont) => Ok("KONT"),
+            _ => Err(PrintError::NoCode { block, wanted: "this choice of start-up and cancel" }),
         }
     }
 

@@ -5,9 +5,9 @@ mod in_mode;
 mod movement;
 mod vector;
 
-use radcomp_spec::parameters::{CornerCodes, Plane, ReadAheadStop, StartUpWithoutMovement};
+use radcomp_spec::parameters::{ApproachCodes, CornerCodes, Plane, ReadAheadStop, StartUpWithoutMovement};
 use radcomp_spec::profile::Profile;
-use radcomp_spec::{Block, Compensation, OuterCorner, Side, clause};
+use radcomp_spec::{Approach, Block, Compensation, OuterCorner, Side, clause};
 use rug::Rational;
 
 use super::Nose;
@@ -107,6 +107,7 @@ impl<'p> State<'p> {
                 Meaning::Incremental(incremental) => self.incremental = incremental,
                 Meaning::Compensation(index) => compensation = Some((self.activation(index, given)?, given)),
                 Meaning::Corner(codes, corner) => block.corner = Some(self.corner(codes, corner, given)?),
+                Meaning::Approach(approach) => block.approach = Some(self.approach(approach, given)?),
                 Meaning::HeldVector | Meaning::CornerArc => vector = Some(self.vector_code(given)?),
                 Meaning::Dwell => dwell = Some(given),
                 Meaning::Stop => {
@@ -134,6 +135,15 @@ impl<'p> State<'p> {
         let shifts = self.profile.parameters.start_up_without_movement == StartUpWithoutMovement::Shift;
         self.started |= shifts && matches!(block.compensation, Some(Compensation::On(_)));
         Ok(block)
+    }
+
+    /// Start-up and cancel as this code chooses them.
+    fn approach(&self, approach: Approach, given: &Given) -> Result<Approach, LineFault> {
+        if self.profile.machine.approach_codes == ApproachCodes::NormKont {
+            return Ok(approach);
+        }
+        let message = format!("profile {} has no {}", self.profile.name, given.code);
+        Err(LineFault::new(Kind::AbsentCode, given.span.clone(), message).citing(clause::TRC_START_12))
     }
 
     /// An outer corner that these codes choose.

@@ -3,12 +3,13 @@
 use std::ops::Range;
 
 use rug::Rational;
+use winnow::ascii::Caseless;
 use winnow::ascii::{digit0, space0};
-use winnow::combinator::{opt, peek};
+use winnow::combinator::{alt, not, opt, peek};
 use winnow::error::ParserError;
 use winnow::prelude::*;
 use winnow::stream::LocatingSlice;
-use winnow::token::{any, one_of, rest, take_till};
+use winnow::token::{any, literal, one_of, rest, take_till};
 
 use radcomp_model::number::parse_decimal;
 
@@ -17,7 +18,13 @@ use super::diagnostic::{Kind, LineFault};
 /// The most digits that a number may have before its point, and the most after it.
 pub const MOST_DIGITS: usize = 9;
 
-/// A word: a letter and a number.
+/// The letter of a code that is a whole word, which stands in the place of its number.
+pub(super) const NAMED: char = '$';
+
+/// The codes that are whole words.
+const NAMES: [&str; 2] = ["NORM", "KONT"];
+
+/// A word: a letter and a number; or a code that is a word.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Word<'a> {
     /// The letter, in upper case.
@@ -107,6 +114,9 @@ fn comment(input: &mut Input<'_>) -> Result<(), LineFault> {
 
 /// A letter and its number.
 fn word<'a>(input: &mut Input<'a>) -> Result<Word<'a>, LineFault> {
+    if let Some((number, span)) = opt(name.with_span()).parse_next(input)? {
+        return Ok(Word { letter: NAMED, number, span });
+    }
     let (letter, place) = any.with_span().parse_next(input)?;
     let letter = char::to_ascii_uppercase(&letter);
     space0(input)?;
@@ -130,6 +140,16 @@ fn word<'a>(input: &mut Input<'a>) -> Result<Word<'a>, LineFault> {
         return Err(LineFault::new(Kind::WrongNumber, number_span.start..exponent.end, message));
     }
     Ok(Word { letter, number, span })
+}
+
+/// A code that is a word, with nothing of a longer word behind it.
+fn name<'a>(input: &mut Input<'a>) -> Result<&'a str, LineFault> {
+    let (name, _) = (
+        alt(NAMES.map(|name| literal(Caseless(name)).value(name))),
+        not(one_of(|next: char| next.is_ascii_alphanumeric())),
+    )
+        .parse_next(input)?;
+    Ok(name)
 }
 
 /// A sign, digits, a point, digits; each of them may be absent.

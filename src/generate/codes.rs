@@ -1,6 +1,6 @@
 //! Compensation codes around a contour.
 
-use radcomp_spec::{Block, Centre, Compensation, Movement, Side};
+use radcomp_spec::{Approach, Block, Centre, Compensation, Movement, Side};
 use rug::Rational;
 
 use super::contour::{Contour, Move, MoveShape, Whole};
@@ -99,6 +99,9 @@ fn change_codes(blocks: &mut Vec<Block<Rational>>, side: Side, radius: i64, dice
         }
         if !reach.corners().is_empty() && dice.once_in(4) {
             block.corner = Some(dice.pick(reach.corners()));
+        }
+        if reach.approaches() && dice.once_in(5) {
+            block.approach = Some(dice.pick(&[Approach::Norm, Approach::Kont]));
         }
         if reach.changes_offset() && dice.once_in(6) {
             let any = dice.between(1, radius.max(2));

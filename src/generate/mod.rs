@@ -11,8 +11,8 @@ mod features;
 mod vectors;
 
 use radcomp_spec::parameters::{
-    CancelVector, CornerCodes, Dummy, InMode, NegativeRadius, OffsetChange, ReadAheadStop, SameCode, SideChange,
-    SideCodeVector, StartUp, StartUpArc, ToolChange, VectorCodes,
+    ApproachCodes, CancelVector, CornerCodes, Dummy, InMode, NegativeRadius, OffsetChange, ReadAheadStop, SameCode,
+    SideChange, SideCodeVector, StartUp, StartUpArc, ToolChange, VectorCodes,
 };
 use radcomp_spec::profile::{Machine, Profile};
 use radcomp_spec::{AlarmKind, Block, OuterCorner, Parameters};
@@ -60,6 +60,11 @@ impl Reach {
             CornerCodes::M96M97 => &[OuterCorner::Arc, OuterCorner::Intersection],
             CornerCodes::G450G451 => &[OuterCorner::Arc, OuterCorner::LimitAngle],
         }
+    }
+
+    /// NORM and KONT exist ([TRC-START-12]).
+    fn approaches(&self) -> bool {
+        self.machine.approach_codes == ApproachCodes::NormKont
     }
 
     /// The alarms of codes that are not for offset mode ([TRC-MODE-08]).

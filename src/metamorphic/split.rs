@@ -31,7 +31,7 @@ pub fn split(parameters: &Parameters, blocks: &[Block<Rational>], exact: &Run) -
     let middle = [0, 1].map(|axis| Rational::from(&start[axis] + &end[axis]) / 2_u32);
     let mut program = blocks.to_vec();
     let first = Block { movement: Movement::Line { end: middle }, stops_look_ahead: false, ..blocks[index].clone() };
-    let rest = Block { compensation: None, radius: None, corner: None, ..blocks[index].clone() };
+    let rest = Block { compensation: None, radius: None, corner: None, approach: None, ..blocks[index].clone() };
     program.splice(index..=index, [first, rest]);
     Some(program)
 }

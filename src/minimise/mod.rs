@@ -86,6 +86,7 @@ fn without_codes(block: &Block<Rational>) -> Option<Block<Rational>> {
         compensation: None,
         vector: None,
         corner: None,
+        approach: None,
         rapid: false,
         stops_look_ahead: false,
         not_in_mode: None,

@@ -1,6 +1,6 @@
 //! Programs: their blocks.
 
-use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner};
+use radcomp_spec::{AlarmKind, Approach, Block, Centre, Compensation, Direction, Movement, OuterCorner};
 use rug::Rational;
 use serde::{Deserialize, Serialize};
 
@@ -28,6 +28,9 @@ pub struct BlockRecord {
     /// The outer corner that the block puts in force, if it does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub corner: Option<Id<OuterCorner>>,
+    /// Start-up and cancel as NORM or KONT of the block chooses them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub approach: Option<Id<Approach>>,
     /// A code that loses the look-ahead; left out if there is none.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub stops_look_ahead: bool,
@@ -91,7 +94,8 @@ pub enum CentreRecord {
 
 impl From<&Block<Rational>> for BlockRecord {
     fn from(block: &Block<Rational>) -> Self {
-        let Block { movement, rapid, compensation, vector, radius, corner, stops_look_ahead, not_in_mode } = block;
+        let Block { movement, rapid, compensation, vector, radius, corner, approach, stops_look_ahead, not_in_mode } =
+            block;
         let point = |[a, b]: &[Rational; 2]| [Exact(a.clone()), Exact(b.clone())];
         BlockRecord {
             movement: match movement {
@@ -115,6 +119,7 @@ impl From<&Block<Rational>> for BlockRecord {
             vector: vector.as_ref().map(point),
             radius: radius.clone().map(Exact),
             corner: corner.map(Id),
+            approach: approach.map(Id),
             stops_look_ahead: *stops_look_ahead,
             not_in_mode: not_in_mode.map(Id),
         }
@@ -123,8 +128,17 @@ impl From<&Block<Rational>> for BlockRecord {
 
 impl From<&BlockRecord> for Block<Rational> {
     fn from(record: &BlockRecord) -> Self {
-        let BlockRecord { movement, rapid, compensation, vector, radius, corner, stops_look_ahead, not_in_mode } =
-            record;
+        let BlockRecord {
+            movement,
+            rapid,
+            compensation,
+            vector,
+            radius,
+            corner,
+            approach,
+            stops_look_ahead,
+            not_in_mode,
+        } = record;
         let point = |[a, b]: &[Exact; 2]| [a.0.clone(), b.0.clone()];
         Block {
             movement: match movement {
@@ -148,6 +162,7 @@ impl From<&BlockRecord> for Block<Rational> {
             vector: vector.as_ref().map(point),
             radius: radius.as_ref().map(|radius| radius.0.clone()),
             corner: corner.map(|id| id.0),
+            approach: approach.map(|id| id.0),
             stops_look_ahead: *stops_look_ahead,
             not_in_mode: not_in_mode.map(|id| id.0),
         }

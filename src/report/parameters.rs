@@ -2,10 +2,10 @@
 
 use radcomp_spec::Parameters;
 use radcomp_spec::parameters::{
-    ArcExtension, ArcOnRapid, Cancel, CancelVector, CancelWithoutMovement, CornerOwner, EqualRadius, MOST_NON_MOVING,
-    NegativeRadius, OffsetChange, OuterCorner, PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange,
-    SideChangeAfterStartUp, SideCodeVector, StartUp, StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement,
-    ZeroLengthMove,
+    ArcExtension, ArcOnRapid, Cancel, CancelVector, CancelWithoutMovement, CornerOwner, EqualRadius, Interference,
+    InterferenceBlocks, InterferenceBoundary, MOST_NON_MOVING, NegativeRadius, OffsetChange, OuterCorner,
+    PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, SideCodeVector,
+    StartUp, StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
 };
 use rug::Rational;
 use serde::de::Error;
@@ -56,6 +56,13 @@ pub struct ParametersRecord {
     pub side_code_vector: Id<SideCodeVector>,
     pub cancel_vector: Id<CancelVector>,
     pub offset_change: Id<OffsetChange>,
+    #[serde(serialize_with = "write_ratio", deserialize_with = "read_ratio")]
+    pub chord_tolerance: Ratio,
+    #[serde(serialize_with = "write_ratio", deserialize_with = "read_ratio")]
+    pub centre_tolerance: Ratio,
+    pub interference: Id<Interference>,
+    pub interference_blocks: Id<InterferenceBlocks>,
+    pub interference_boundary: Id<InterferenceBoundary>,
 }
 
 impl From<&Parameters> for ParametersRecord {
@@ -91,6 +98,11 @@ impl From<&Parameters> for ParametersRecord {
             side_code_vector,
             cancel_vector,
             offset_change,
+            chord_tolerance,
+            centre_tolerance,
+            interference,
+            interference_blocks,
+            interference_boundary,
         } = *parameters;
         ParametersRecord {
             start_up: Id(start_up),
@@ -123,6 +135,11 @@ impl From<&Parameters> for ParametersRecord {
             side_code_vector: Id(side_code_vector),
             cancel_vector: Id(cancel_vector),
             offset_change: Id(offset_change),
+            chord_tolerance,
+            centre_tolerance,
+            interference: Id(interference),
+            interference_blocks: Id(interference_blocks),
+            interference_boundary: Id(interference_boundary),
         }
     }
 }
@@ -160,6 +177,11 @@ impl From<&ParametersRecord> for Parameters {
             side_code_vector: record.side_code_vector.0,
             cancel_vector: record.cancel_vector.0,
             offset_change: record.offset_change.0,
+            chord_tolerance: record.chord_tolerance,
+            centre_tolerance: record.centre_tolerance,
+            interference: record.interference.0,
+            interference_blocks: record.interference_blocks.0,
+            interference_boundary: record.interference_boundary.0,
         }
     }
 }

@@ -4,9 +4,10 @@ use std::cmp::Ordering;
 
 use radcomp_spec::clause::{self, Clause};
 use radcomp_spec::parameters::{
-    ArcExtension, ArcOnRapid, Cancel, CancelVector, CancelWithoutMovement, CornerOwner, EqualRadius, NegativeRadius,
-    OffsetChange, OuterCorner, PendingAtAlarm, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp,
-    SideCodeVector, StartUp, StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
+    Approach, ArcExtension, ArcOnRapid, Cancel, CancelVector, CancelWithoutMovement, CornerOwner, EqualRadius,
+    Interference, InterferenceBlocks, InterferenceBoundary, NegativeRadius, OffsetChange, OuterCorner, PendingAtAlarm,
+    Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, SideCodeVector, StartUp, StartUpArc,
+    StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
 };
 use radcomp_spec::{AlarmKind, Compensation, DecisionKind, Direction, Side};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -64,6 +65,10 @@ choices! {
     SideChangeAfterStartUp = "side-change-after-start-up";
     CornerOwner = "corner-owner";
     ReversedPath = "reversed-path";
+    Approach = "approach";
+    Interference = "interference";
+    InterferenceBlocks = "interference-blocks";
+    InterferenceBoundary = "interference-boundary";
     StartUpB = "start-up-b";
     StartUpWithoutMovement = "start-up-without-movement";
     StartUpArc = "start-up-arc";

@@ -83,6 +83,7 @@ fn structure(block: &Block<Rational>) -> Block<Rational> {
         vector: block.vector.as_ref().map(|_| zero()),
         radius: block.radius.as_ref().map(|_| Rational::new()),
         corner: block.corner,
+        approach: block.approach,
         stops_look_ahead: block.stops_look_ahead,
         not_in_mode: block.not_in_mode,
     }

@@ -92,6 +92,12 @@
 // Outer corners by intersection down to the limit angle of the profile, by an arc below it.
 #define RADCOMP_LIMIT_ANGLE 3
 
+// NORM: start-up and cancel of type A.
+#define RADCOMP_NORM 1
+
+// KONT: start-up and cancel of type B.
+#define RADCOMP_KONT 2
+
 // How long a name may be, with the zero at its end.
 #define RADCOMP_NAME 48
 
@@ -117,6 +123,8 @@ typedef struct {
   uint32_t compensation;
   // RADCOMP_UNCHANGED, RADCOMP_INTERSECTION, RADCOMP_CORNER_ARC or RADCOMP_LIMIT_ANGLE.
   uint32_t corner;
+  // RADCOMP_UNCHANGED, RADCOMP_NORM or RADCOMP_KONT.
+  uint32_t approach;
   // Not 0: a code that loses the look-ahead.
   uint32_t stops_look_ahead;
   // Not 0: the block puts `radius` in force.

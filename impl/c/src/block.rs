@@ -1,7 +1,7 @@
 //! Blocks as C sees them.
 
 use crate::step::{RADCOMP_NAME, kind, name};
-use radcomp_spec::{Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
+use radcomp_spec::{Approach, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
 
 /// No movement in the plane.
 pub const RADCOMP_NONE: u32 = 0;
@@ -42,6 +42,11 @@ pub const RADCOMP_CORNER_ARC: u32 = 2;
 /// Outer corners by intersection down to the limit angle of the profile, by an arc below it.
 pub const RADCOMP_LIMIT_ANGLE: u32 = 3;
 
+/// NORM: start-up and cancel of type A.
+pub const RADCOMP_NORM: u32 = 1;
+/// KONT: start-up and cancel of type B.
+pub const RADCOMP_KONT: u32 = 2;
+
 /// One block of a program, modal codes, units and diameters resolved.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +62,8 @@ pub struct radcomp_block {
     pub compensation: u32,
     /// RADCOMP_UNCHANGED, RADCOMP_INTERSECTION, RADCOMP_CORNER_ARC or RADCOMP_LIMIT_ANGLE.
     pub corner: u32,
+    /// RADCOMP_UNCHANGED, RADCOMP_NORM or RADCOMP_KONT.
+    pub approach: u32,
     /// Not 0: a code that loses the look-ahead.
     pub stops_look_ahead: u32,
     /// Not 0: the block puts `radius` in force.
@@ -84,6 +91,7 @@ impl Default for radcomp_block {
             rapid: 0,
             compensation: RADCOMP_UNCHANGED,
             corner: RADCOMP_UNCHANGED,
+            approach: RADCOMP_UNCHANGED,
             stops_look_ahead: 0,
             has_radius: 0,
             radius: 0.0,
@@ -130,11 +138,17 @@ impl radcomp_block {
             RADCOMP_LIMIT_ANGLE => Some(OuterCorner::LimitAngle),
             _ => return None,
         };
+        let approach = match self.approach {
+            RADCOMP_UNCHANGED => None,
+            RADCOMP_NORM => Some(Approach::Norm),
+            RADCOMP_KONT => Some(Approach::Kont),
+            _ => return None,
+        };
         let radius = (self.has_radius != 0).then_some(self.radius);
         let vector = (self.has_vector != 0).then_some(self.vector);
         let not_in_mode = kind(&self.not_in_mode).ok()?;
         let (rapid, stops_look_ahead) = (self.rapid != 0, self.stops_look_ahead != 0);
-        Some(Block { movement, rapid, compensation, vector, radius, corner, stops_look_ahead, not_in_mode })
+        Some(Block { movement, rapid, compensation, vector, radius, corner, approach, stops_look_ahead, not_in_mode })
     }
 }
 
@@ -153,6 +167,11 @@ impl From<&Block<f64>> for radcomp_block {
                 Some(OuterCorner::Intersection) => RADCOMP_INTERSECTION,
                 Some(OuterCorner::Arc) => RADCOMP_CORNER_ARC,
                 Some(OuterCorner::LimitAngle) => RADCOMP_LIMIT_ANGLE,
+            },
+            approach: match block.approach {
+                None => RADCOMP_UNCHANGED,
+                Some(Approach::Norm) => RADCOMP_NORM,
+                Some(Approach::Kont) => RADCOMP_KONT,
             },
             stops_look_ahead: u32::from(block.stops_look_ahead),
             not_in_mode: block.not_in_mode.map_or([0; RADCOMP_NAME], name),

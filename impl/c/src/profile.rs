@@ -3,14 +3,14 @@
 
 use radcomp_spec::Parameters;
 use radcomp_spec::parameters::{
-    ArcExtension, ArcOnRapid, Cancel, CancelVector, CancelWithoutMovement, CornerOwner, EqualRadius, MOST_NON_MOVING,
-    NegativeRadius, OffsetChange, OuterCorner, PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange,
-    SideChangeAfterStartUp, SideCodeVector, StartUp, StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement,
-    ZeroLengthMove,
+    ArcExtension, ArcOnRapid, Cancel, CancelVector, CancelWithoutMovement, CornerOwner, EqualRadius, Interference,
+    InterferenceBlocks, InterferenceBoundary, MOST_NON_MOVING, NegativeRadius, OffsetChange, OuterCorner,
+    PendingAtAlarm, Ratio, Reversal, ReversedPath, SameCode, SideChange, SideChangeAfterStartUp, SideCodeVector,
+    StartUp, StartUpArc, StartUpB, StartUpLost, StartUpWithoutMovement, ZeroLengthMove,
 };
 
 /// Every name.
-const NAMES: [&str; 30] = [
+const NAMES: [&str; 35] = [
     "start-up",
     "start-up-lost",
     "cancel",
@@ -41,6 +41,11 @@ const NAMES: [&str; 30] = [
     "side-code-vector",
     "cancel-vector",
     "offset-change",
+    "chord-tolerance",
+    "centre-tolerance",
+    "interference",
+    "interference-blocks",
+    "interference-boundary",
 ];
 
 /// The parameters that a text gives: each of the compensation's parameters once, by the names and values of
@@ -92,6 +97,11 @@ pub fn parameters(text: &str) -> Option<Parameters> {
         side_code_vector: word(text, "side-code-vector", SideCodeVector::VALUES)?,
         cancel_vector: word(text, "cancel-vector", CancelVector::VALUES)?,
         offset_change: word(text, "offset-change", OffsetChange::VALUES)?,
+        chord_tolerance: ratio(value(text, "chord-tolerance")?)?,
+        centre_tolerance: ratio(value(text, "centre-tolerance")?)?,
+        interference: word(text, "interference", Interference::VALUES)?,
+        interference_blocks: word(text, "interference-blocks", InterferenceBlocks::VALUES)?,
+        interference_boundary: word(text, "interference-boundary", InterferenceBoundary::VALUES)?,
     })
 }
 

@@ -13,7 +13,8 @@ const PROFILE: &str = "start-up = type-a\nstart-up-lost = normal\ncancel = type-
     corner-limit-cosine = 0\narc-extension = tangent\nsmallest-corner-cosine = 0\nstraight-band-cosine = 0\n\
     arc-on-rapid = arc\nsmall-vector-limit = 0\nsame-code = ordinary\nnegative-radius = alarm\nequal-radius = alarm\n\
     zero-length-move = no-movement\npending-at-alarm = ended\n\
-    side-code-vector = refused\ncancel-vector = refused\noffset-change = alarm\n";
+    side-code-vector = refused\ncancel-vector = refused\noffset-change = alarm\n\
+    chord-tolerance = 0\ncentre-tolerance = 0\ninterference = off\ninterference-blocks = 3\ninterference-boundary = strict\n";
 
 fn new(memory: &mut [u8], profile: &str) -> (i32, *mut radcomp_state) {
     let text = CString::new(profile).unwrap();
@@ -78,6 +79,7 @@ fn null_pointers_short_buffers_and_values_that_are_none() {
             radcomp_block { direction: 2, ..line },
             radcomp_block { compensation: 4, ..line },
             radcomp_block { corner: 4, ..line },
+            radcomp_block { approach: 3, ..line },
         ] {
             assert_eq!(radcomp_push(state, &wrong, to, room, &mut count, &mut alarm), RADCOMP_BLOCK);
         }

@@ -1,6 +1,6 @@
 //! How the pending element ends: at a junction, without one, or in an alarm; and the blocks without movement behind it.
 
-use radcomp_spec::parameters::{PendingAtAlarm, SideChange, SideChangeAfterStartUp, StartUpLost};
+use radcomp_spec::parameters::{PendingAtAlarm, SideChange, SideChangeAfterStartUp, StartUpLost, ZeroLengthMove};
 use radcomp_spec::{Alarm, AlarmKind, Clause, Side, clause};
 
 use super::{Mode, Pending, Start, Window};
@@ -8,19 +8,32 @@ use crate::geometry::{End, Event, Geometry, Meeting};
 use crate::held::Held;
 
 impl Window {
-    /// Raises an alarm at the block read: the pending element ends on its normal. [TRC-MODE-06]
+    /// Raises an alarm at the block read: the pending element ends on its normal, or is lost. [TRC-MODE-06],
+    /// [TRC-MODE-10]
     ///
     /// # Errors
     /// This alarm, or the one that ending the pending element raises at its block.
     #[cold]
-    pub fn fault<G: Geometry>(&mut self, block: usize, kind: AlarmKind, geometry: &mut G) -> Result<(), Alarm> {
-        if self.policy.at_alarm == PendingAtAlarm::Lost {
-            // [TRC-MODE-10]
+    pub(super) fn fault<G: Geometry>(&mut self, block: usize, kind: AlarmKind, geometry: &mut G) -> Result<(), Alarm> {
+        // Where something pends and no side is asked for, it is this block's G40 that has ended it.
+        if self.policy.at_alarm == PendingAtAlarm::Lost && self.asked.is_some() {
+            if let Some(pending) = self.pending {
+                self.lose_in_alarm(pending, geometry);
+            }
             return Err(Alarm { block, kind });
         }
         self.release(geometry);
         self.settle(End::Normal(clause::TRC_MODE_06), clause::TRC_LOOK_02, geometry)?;
         Err(Alarm { block, kind })
+    }
+
+    /// Makes what an element that is lost in an alarm owns of the junction before it; only one behind another owns any.
+    /// [TRC-MODE-10]
+    #[cold]
+    fn lose_in_alarm<G: Geometry>(&self, pending: Pending, geometry: &mut G) {
+        if self.policy.at_alarm == PendingAtAlarm::Lost && pending.start == Start::No {
+            geometry.start_moves();
+        }
     }
 
     /// Ends the program. [TRC-MODE-04]
@@ -38,7 +51,7 @@ impl Window {
             return self.fault(block, kind, geometry);
         }
         if let Some(pending) = self.pending.filter(|_| self.joins()) {
-            let junction = if side == self.side && matches!(pending.start, Start::No | Start::Entry) {
+            let junction = if side == self.side && matches!(pending.start, Start::No | Start::Entry | Start::EntryArc) {
                 geometry.junction(Meeting::Corner, side)
             } else {
                 rare_junction(pending.start, side, geometry)
@@ -86,7 +99,8 @@ impl Window {
     /// Whether a block without movement may wait behind the pending element. [TRC-LOOK-02], [TRC-LOOK-07],
     /// [TRC-LOOK-08]
     pub(super) fn may_wait(&self, event: Event) -> bool {
-        self.held.count() < self.policy.allowed && !event.zero_length && !event.stops
+        let breaks = event.zero_length && self.policy.zero_length_move == ZeroLengthMove::BreaksLookAhead;
+        self.held.count() < self.policy.allowed && !breaks && !event.stops
     }
 
     /// A block without movement that nothing waits for.
@@ -118,7 +132,9 @@ impl Window {
         let Some(pending) = self.pending else { return Ok(()) };
         let end = match (pending.start, self.policy.start_up_lost) {
             (Start::No | Start::Shift | Start::CornerArc, _) => End::Normal(clause),
-            (Start::Block, StartUpLost::Normal) | (Start::Entry, _) => End::Normal(clause::TRC_START_04),
+            (Start::Block, StartUpLost::Normal) | (Start::Entry | Start::EntryArc, _) => {
+                End::Normal(clause::TRC_START_04)
+            }
             (Start::Block, StartUpLost::NoVector) => {
                 self.mode = Mode::Cancel;
                 End::Programmed(clause::TRC_START_04)
@@ -138,7 +154,7 @@ impl Window {
         let waits = |start: Start| match start {
             Start::Shift => Some(clause::TRC_LOOK_01),
             Start::CornerArc => Some(clause::TRC_VEC_03),
-            Start::No | Start::Block | Start::Entry => None,
+            Start::No | Start::Block | Start::Entry | Start::EntryArc => None,
         };
         if let Some(pending) = self.pending
             && let Some(clause) = waits(pending.start)
@@ -164,8 +180,11 @@ impl Window {
         geometry: &mut G,
     ) -> Result<(), Alarm> {
         if let Some(pending) = self.pending.take() {
-            let start_up = matches!(pending.start, Start::Block | Start::Shift);
-            geometry.settle(end, start_up).map_err(|kind| Alarm { block: pending.block, kind })?;
+            let start_up = matches!(pending.start, Start::Block | Start::Entry | Start::Shift);
+            if let Err(kind) = geometry.settle(end, start_up) {
+                self.lose_in_alarm(pending, geometry);
+                return Err(Alarm { block: pending.block, kind });
+            }
             if self.held.count() > 0 {
                 self.emit_held(pending.block, held, geometry);
             }
@@ -190,7 +209,7 @@ fn rare_junction<G: Geometry>(start: Start, side: Side, geometry: &mut G) -> Res
     let meeting = match start {
         Start::Block => Meeting::StartUp,
         Start::Shift => Meeting::Shift,
-        Start::No | Start::Entry | Start::CornerArc => Meeting::SideChange,
+        Start::No | Start::Entry | Start::EntryArc | Start::CornerArc => Meeting::SideChange,
     };
     geometry.junction(meeting, side)
 }

@@ -1,7 +1,7 @@
 //! Into offset mode and out of it: blocks of cancel mode, start-up and cancel.
 
 use radcomp_spec::parameters::{
-    Cancel, CancelVector, CancelWithoutMovement, StartUp, StartUpArc, StartUpWithoutMovement,
+    Cancel, CancelVector, CancelWithoutMovement, StartUp, StartUpArc, StartUpWithoutMovement, ZeroLengthMove,
 };
 use radcomp_spec::{Alarm, AlarmKind, Side, clause};
 
@@ -23,6 +23,10 @@ impl Window {
                 geometry.follow(if cancels { clause::TRC_CANCEL_03 } else { clause::TRC_MODE_01 });
                 (self.mode, self.lost) = (Mode::Cancel, false);
             }
+            _ if cancels && self.counts_as_move(event) => {
+                geometry.come_back(clause::TRC_CANCEL_03);
+                (self.mode, self.lost) = (Mode::Cancel, false);
+            }
             _ => self.stand(block, event, geometry),
         }
         Ok(())
@@ -37,7 +41,7 @@ impl Window {
         side: Side,
         g: &mut G,
     ) -> Result<(), Alarm> {
-        let entry = match event.kind {
+        let start = match event.kind {
             // [TRC-VEC-01]
             _ if event.vector_code => return self.fault(block, AlarmKind::VectorCodeOutsideMode, g),
             Kind::Line | Kind::Arc | Kind::Dummy if self.shift_waits() => {
@@ -48,18 +52,27 @@ impl Window {
             Kind::Arc if self.policy.arc == StartUpArc::Alarm => {
                 return self.fault(block, AlarmKind::ArcAtStartUp, g);
             }
-            Kind::Arc => true,
-            Kind::Line => self.policy.start_up == StartUp::EntryNormal,
+            // [TRC-START-09]
+            Kind::Arc if self.mode == Mode::Cancelling => return self.fault(block, AlarmKind::ArcAtCancel, g),
+            Kind::Arc => Start::EntryArc,
+            Kind::Line if self.policy.start_up == StartUp::EntryNormal => Start::Entry,
+            Kind::Line => Start::Block,
+            // [TRC-LOOK-07]: an entry without length is too short for every tool.
+            _ if self.policy.start_up == StartUp::EntryNormal && self.counts_as_move(event) && !self.shift_waits() => {
+                return self.fault(block, AlarmKind::EntryTooShort, g);
+            }
             _ => {
                 self.start_without_movement(block, event, side, g);
                 return Ok(());
             }
         };
-        if entry && let Err(kind) = g.enter(side) {
+        if start != Start::Block
+            && let Err(kind) = g.enter(side)
+        {
             return self.fault(block, kind, g);
         }
         (self.mode, self.side, self.first) = (Mode::Offset, side, true);
-        self.await_end(block, if entry { Start::Entry } else { Start::Block }, event.rapid);
+        self.await_end(block, start, event.rapid);
         g.begin(Begin::StartUp, side);
         self.stop_behind(event, g)
     }
@@ -86,6 +99,11 @@ impl Window {
             self.release(geometry);
             self.stand(block, event, geometry);
         }
+    }
+
+    /// It is a straight move of length zero, which counts as a block that moves where it starts or cancels. [TRC-LOOK-07]
+    fn counts_as_move(&self, event: Event) -> bool {
+        event.zero_length && self.policy.zero_length_move == ZeroLengthMove::StartsAndCancels
     }
 
     /// A block of the offset mode with G40 in it. [TRC-CANCEL-01]
@@ -119,6 +137,8 @@ impl Window {
         (self.mode, self.lost) = (Mode::Cancel, false);
         if moves {
             geometry.follow(clause::TRC_CANCEL_02);
+        } else if self.counts_as_move(event) && !event.vector {
+            geometry.come_back(clause::TRC_CANCEL_02);
         } else if self.policy.shift_out == CancelWithoutMovement::Shift {
             geometry.retreat();
         } else {

@@ -45,6 +45,8 @@ impl Reader {
     }
 
     pub fn block(&mut self, line: &str) -> Block<f64> {
+        // Codes that are words. [TRC-START-12]
+        let line = line.replace("NORM", "!0").replace("KONT", "!1");
         let words: Vec<(char, f64)> =
             line.split_whitespace().map(|word| (word.chars().next().unwrap(), word[1..].parse().unwrap())).collect();
         let word = |letter: char| words.iter().find(|word| word.0 == letter).map(|word| word.1);
@@ -61,6 +63,9 @@ impl Reader {
                 ('G', 91) => self.incremental = true,
                 ('G', 450) => block.corner = Some(OuterCorner::Arc),
                 ('G', 451) => block.corner = Some(OuterCorner::LimitAngle),
+                ('!', code) if self.machine.approach_codes == ApproachCodes::NormKont => {
+                    block.approach = Some(if code == 0 { Approach::Norm } else { Approach::Kont });
+                }
                 ('D' | 'T', number) => self.select(number % 100, &mut block),
                 ('M', 0 | 1) => {
                     block.stops_look_ahead = self.machine.read_ahead_stop == ReadAheadStop::BreaksLookAhead;

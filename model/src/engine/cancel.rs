@@ -28,7 +28,10 @@ impl Engine {
         if element.as_ref().is_some_and(Element::is_arc) {
             return self.alarm(number, AlarmKind::ArcAtCancel, judgement);
         }
-        // [TRC-CORNER-11] before the junction with this block is formed.
+        // [TRC-START-12], [TRC-CORNER-11] before the junction with this block is formed.
+        if let Some(approach) = block.approach {
+            self.parameters.approach(approach);
+        }
         if let Some(corner) = block.corner {
             self.outer_corner = corner;
         }
@@ -52,7 +55,11 @@ impl Engine {
             self.offset = offset;
         }
         let Some(element) = element else {
-            self.cancel_without_movement(number, block.rapid, judgement);
+            if block.vector.is_none() && self.starts_and_cancels(block) {
+                self.move_to_programmed_point(number, block.rapid, clause::TRC_CANCEL_02, judgement);
+            } else {
+                self.cancel_without_movement(number, block.rapid, judgement);
+            }
             return Ok(());
         };
         self.corner_moves(lead_in.clause, lead_in.moves, number, block.rapid, judgement);
@@ -67,10 +74,22 @@ impl Engine {
         if element.is_arc() {
             return self.alarm(number, AlarmKind::ArcAtCancel, judgement);
         }
-        self.emit(number, rapid, clause, true, line_to(&element.end), judgement);
         self.position = element.end;
-        self.mode = Mode::Cancel;
+        self.move_to_programmed_point(number, rapid, clause, judgement);
         Ok(())
+    }
+
+    /// The own move of a cancel block, one without length included ([TRC-LOOK-07]).
+    pub(super) fn move_to_programmed_point(
+        &mut self,
+        number: usize,
+        rapid: bool,
+        clause: Clause,
+        judgement: &mut Judgement<'_>,
+    ) {
+        let end = line_to(&self.position);
+        self.emit(number, rapid, clause, true, end, judgement);
+        self.mode = Mode::Cancel;
     }
 
     /// [TRC-CANCEL-03]; [TRC-CANCEL-06] the tool moves to the programmed point at once.

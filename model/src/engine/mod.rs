@@ -22,8 +22,8 @@ use crate::rules::junction::Setting;
 use crate::rules::look_ahead::Settled;
 use crate::rules::mode::Offset;
 
-use pending::Held;
 pub(crate) use pending::Pending;
+use pending::{Held, LeadIn};
 
 /// The reference model: reads blocks one at a time and hands out each path element as soon as it is settled.
 ///
@@ -61,6 +61,8 @@ pub struct Engine {
     element_side: Option<Side>,
     /// Side of the start-up block, until the first element after it has been read.
     start_up_side: Option<Side>,
+    /// The block being read holds G40, and the start-up block has been read ([TRC-MODE-10]).
+    reading_cancel: bool,
     stopped: Option<Stop>,
 }
 
@@ -135,6 +137,7 @@ impl Engine {
             settled: None,
             element_side: None,
             start_up_side: None,
+            reading_cancel: false,
             stopped: None,
         }
     }
@@ -198,10 +201,13 @@ impl Engine {
         }
     }
 
-    /// [TRC-MODE-06] ends the pending block on its own normal and stops.
+    /// [TRC-MODE-06] ends the pending block on its own normal and stops; [TRC-MODE-10] or loses it, but for the moves
+    /// before its own.
     fn alarm(&mut self, block: usize, kind: AlarmKind, judgement: &mut Judgement<'_>) -> Answer {
-        // [TRC-MODE-10]
-        if self.parameters.pending_at_alarm == PendingAtAlarm::Lost {
+        let lost = self.parameters.pending_at_alarm == PendingAtAlarm::Lost && !self.reading_cancel;
+        if lost && let Some(pending) = self.pending.take() {
+            let LeadIn { clause, moves } = pending.lead_in;
+            self.corner_moves(clause, moves, pending.block, pending.rapid, judgement);
             return Err(Stop::Alarm(Alarm { block, kind }));
         }
         if let Some(pending) = &self.pending {

@@ -1,6 +1,7 @@
 //! The last block that moves, and the blocks without movement held after it.
 
 use radcomp_spec::clause::{self, Clause};
+use radcomp_spec::parameters::PendingAtAlarm;
 use radcomp_spec::{Alarm, Segment, Side};
 
 use super::{Answer, Engine};
@@ -27,7 +28,7 @@ pub(crate) struct Pending {
     /// How the tool fits inside it, if it is an arc.
     pub(crate) fit: arc::Fit,
     /// The moves before its own move that it owns. They are made when the block is: an alarm at the block stops them
-    /// too ([TRC-MODE-06]).
+    /// too ([TRC-MODE-06]), but with `pending-at-alarm` = `lost` ([TRC-MODE-10]).
     pub(crate) lead_in: LeadIn,
 }
 
@@ -140,12 +141,16 @@ impl Engine {
         let whole_circle = kind == PendingKind::Offset
             && !at_centre
             && arc::whole_turn(&element, side, &radius, (&self.tool, &end), judgement);
-        if kind != PendingKind::StartUp {
+        if kind == PendingKind::Offset || (kind == PendingKind::Entry && element.is_arc()) {
             let reading = core::mem::replace(&mut judgement.block, block);
             let exempt = whole_circle || at_centre;
             let looked_at = wedge::forward(&element, &self.tool, &end, exempt, &self.parameters, judgement);
             judgement.block = reading;
             if let Err(kind) = looked_at {
+                // [TRC-MODE-10]
+                if self.parameters.pending_at_alarm == PendingAtAlarm::Lost {
+                    self.corner_moves(lead_in.clause, lead_in.moves, block, rapid, judgement);
+                }
                 return Err(Stop::Alarm(Alarm { block, kind }));
             }
         }

@@ -1,7 +1,7 @@
 //! One block after another: the checks in their order, and what a block does in the mode in force.
 
 use radcomp_spec::clause;
-use radcomp_spec::parameters::{OffsetChange, SameCode};
+use radcomp_spec::parameters::{OffsetChange, SameCode, SideChange};
 use radcomp_spec::{AlarmKind, Block, Compensation, DecisionKind, Movement};
 use rug::Rational;
 
@@ -17,25 +17,10 @@ use crate::rules::mode::{self, Offset};
 impl Engine {
     /// [TRC-MODE-06] the order of the checks.
     pub(super) fn read(&mut self, number: usize, block: &Block<Rational>, judgement: &mut Judgement<'_>) -> Answer {
+        let cancels = block.compensation == Some(Compensation::Off);
+        self.reading_cancel = cancels && self.mode == Mode::Offset;
         if !mode::in_range(block, self.parameters.negative_radius) {
             return self.alarm(number, AlarmKind::OutOfRange, judgement);
-        }
-        let element = match self.programmed(block, judgement) {
-            Ok(element) => element,
-            Err(kind) => return self.alarm(number, kind, judgement),
-        };
-        let cancels = block.compensation == Some(Compensation::Off);
-        let offset = block.radius.as_ref().map(|radius| Offset::read(radius, self.number));
-        if let Some(offset) = &offset
-            && self.parameters.offset_change == OffsetChange::Alarm
-            && self.radius_is_fixed(block, element.is_some())
-            && offset.radius != self.offset.radius
-        {
-            return self.alarm(number, AlarmKind::OffsetChangedInMode, judgement);
-        }
-        // [TRC-MODE-08]
-        if let Some(kind) = block.not_in_mode {
-            return self.alarm(number, kind, judgement);
         }
         // [TRC-MODE-05]
         if mode::same_code(block, self.code) {
@@ -45,9 +30,30 @@ impl Engine {
                 SameCode::Alarm => return self.alarm(number, AlarmKind::SameCode, judgement),
             }
         }
+        // [TRC-SIDE-01]
+        if mode::other_code(block, self.code) && self.parameters.side_change == SideChange::Forbidden {
+            return self.alarm(number, AlarmKind::SideChangeForbidden, judgement);
+        }
+        let offset = block.radius.as_ref().map(|radius| Offset::read(radius, self.number));
+        let line = self.line(block, judgement);
+        if let Some(offset) = &offset
+            && self.parameters.offset_change == OffsetChange::Alarm
+            && self.radius_is_fixed(block, line.is_some())
+            && offset.radius != self.offset.radius
+        {
+            return self.alarm(number, AlarmKind::OffsetChangedInMode, judgement);
+        }
+        // [TRC-MODE-08]
+        if let Some(kind) = block.not_in_mode {
+            return self.alarm(number, kind, judgement);
+        }
         if is_vector_block(block) && (cancels || self.mode != Mode::Offset) {
             return self.outside_mode(number, judgement);
         }
+        let element = match self.arc(block, judgement) {
+            Ok(arc) => arc.or(line),
+            Err(kind) => return self.alarm(number, kind, judgement),
+        };
         if self.mode == Mode::Offset && cancels {
             return self.cancel(number, block, element, offset, judgement);
         }
@@ -63,7 +69,10 @@ impl Engine {
             Some(Compensation::On(side)) => self.code = Some(side),
             None => {}
         }
-        // [TRC-CORNER-11] before the junction with this block is formed.
+        // [TRC-START-12], [TRC-CORNER-11] before the junction with this block is formed.
+        if let Some(approach) = block.approach {
+            self.parameters.approach(approach);
+        }
         if let Some(corner) = block.corner {
             self.outer_corner = corner;
         }
@@ -78,26 +87,23 @@ impl Engine {
         }
     }
 
-    /// The element that a block moves along, or nothing ([TRC-LOOK-01]). Words of axes outside the plane are in no
-    /// block ([TRC-MODE-09]).
-    fn programmed(&self, block: &Block<Rational>, judgement: &mut Judgement<'_>) -> Result<Option<Element>, AlarmKind> {
-        match &block.movement {
-            _ if block.not_in_mode.is_some() => Ok(None),
-            Movement::None | Movement::Dummy { .. } | Movement::NewVector { .. } | Movement::CornerArc { .. } => {
-                Ok(None)
-            }
-            Movement::Line { end } | Movement::HeldVector { end } => {
-                let element = Element::line(self.position.clone(), Vector::read(end, self.number));
-                let Shape::Line { direction, length } = &element.shape else { return Ok(None) };
-                let squared = direction.length_squared();
-                let moves = judgement.decide(DecisionKind::Moves, &squared, length.clone()).is_gt();
-                Ok(moves.then_some(element))
-            }
-            Movement::Arc { end, centre, direction } => {
-                let words = arc::Words::read(end, centre, *direction, self.number);
-                arc::programmed(&self.position, words, &self.parameters, judgement).map(Some)
-            }
-        }
+    /// The straight element that a block moves along, or nothing ([TRC-LOOK-01]). Words of axes outside the plane are in
+    /// no block ([TRC-MODE-09]).
+    fn line(&self, block: &Block<Rational>, judgement: &mut Judgement<'_>) -> Option<Element> {
+        let (Movement::Line { end } | Movement::HeldVector { end }, None) = (&block.movement, block.not_in_mode) else {
+            return None;
+        };
+        let element = Element::line(self.position.clone(), Vector::read(end, self.number));
+        let Shape::Line { direction, length } = &element.shape else { return None };
+        let squared = direction.length_squared();
+        judgement.decide(DecisionKind::Moves, &squared, length.clone()).is_gt().then_some(element)
+    }
+
+    /// The arc that a block moves along, or nothing.
+    fn arc(&self, block: &Block<Rational>, judgement: &mut Judgement<'_>) -> Result<Option<Element>, AlarmKind> {
+        let Movement::Arc { end, centre, direction } = &block.movement else { return Ok(None) };
+        let words = arc::Words::read(end, centre, *direction, self.number);
+        arc::programmed(&self.position, words, &self.parameters, judgement).map(Some)
     }
 
     /// What the vector at the end of a block that moves comes from.
@@ -134,8 +140,13 @@ impl Engine {
 
     /// [TRC-MODE-03] whether a radius of another magnitude would raise the alarm at this block: the start-up block has
     /// been read, and the block neither cancels nor is another start-up block without movement in its place.
-    fn radius_is_fixed(&self, block: &Block<Rational>, moves: bool) -> bool {
-        let replaces_shift = !moves && !matches!(block.movement, Movement::Dummy { .. }) && self.shifts(block);
+    fn radius_is_fixed(&self, block: &Block<Rational>, straight: bool) -> bool {
+        let moves = match block.movement {
+            Movement::Dummy { .. } => true,
+            Movement::Arc { .. } => block.not_in_mode.is_none(),
+            _ => straight,
+        };
+        let replaces_shift = !moves && self.shifts(block);
         let started = self.mode == Mode::Offset || (self.shift.is_some() && !replaces_shift);
         started && block.compensation != Some(Compensation::Off)
     }

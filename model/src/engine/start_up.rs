@@ -70,12 +70,16 @@ impl Engine {
             if self.parameters.start_up_arc == StartUpArc::Alarm {
                 return Err(AlarmKind::ArcAtStartUp);
             }
+            if self.mode == Mode::Cancelling {
+                return Err(AlarmKind::ArcAtCancel);
+            }
+            start_up::long_enough(&self.tool, &element.end, radius, judgement)?;
             arc::tool_fits(&element, side, radius, self.parameters.equal_radius, judgement)?;
             let element = start_up::entry_arc(element, &self.tool, side, radius, judgement)?;
             return Ok((PendingKind::Entry, element));
         }
         if self.parameters.start_up == StartUp::EntryNormal {
-            let element = start_up::entry_line(&self.tool, &element.end, radius, judgement)?;
+            start_up::long_enough(&element.start, &element.end, radius, judgement)?;
             return Ok((PendingKind::Entry, element));
         }
         Ok((PendingKind::StartUp, element))

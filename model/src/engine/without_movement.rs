@@ -1,8 +1,8 @@
 //! Blocks without movement, and junctions that are settled without a next element.
 
 use radcomp_spec::clause::{self, Clause};
-use radcomp_spec::parameters::{StartUpLost, ZeroLengthMove};
-use radcomp_spec::{Block, Movement, Segment};
+use radcomp_spec::parameters::{StartUp, StartUpLost, ZeroLengthMove};
+use radcomp_spec::{AlarmKind, Block, Movement, Segment};
 use rug::Rational;
 
 use super::pending::PendingKind;
@@ -19,6 +19,17 @@ impl Engine {
         block: &Block<Rational>,
         judgement: &mut Judgement<'_>,
     ) -> Answer {
+        if self.mode != Mode::Offset && self.starts_and_cancels(block) {
+            if self.mode == Mode::Cancelling && self.code.is_none() {
+                self.move_to_programmed_point(number, block.rapid, clause::TRC_CANCEL_03, judgement);
+                return Ok(());
+            }
+            let starts =
+                self.code.is_some() && self.shift.is_none() && self.parameters.start_up == StartUp::EntryNormal;
+            if starts {
+                return self.alarm(number, AlarmKind::EntryTooShort, judgement);
+            }
+        }
         if let (Some(given), Some(side)) = (self.given(block), self.side()) {
             self.give(given, (number, block.rapid), side, judgement)?;
             // [TRC-LOOK-08]
@@ -51,6 +62,13 @@ impl Engine {
         };
         self.emit(number, block.rapid, clause, false, Segment::Hold, judgement);
         Ok(())
+    }
+
+    /// [TRC-LOOK-07] whether a block, which has turned out not to move, is a straight move of length zero that may count as
+    /// a start-up or a cancel block.
+    pub(super) fn starts_and_cancels(&self, block: &Block<Rational>) -> bool {
+        let straight = matches!(block.movement, Movement::Line { .. });
+        straight && self.parameters.zero_length_move == ZeroLengthMove::StartsAndCancels
     }
 
     /// Whether a block without movement loses the look-ahead by itself: a straight move of length zero

@@ -50,9 +50,9 @@ pub(crate) fn programmed(
     let Words { end, centre, sense } = words;
     let chord = end.minus(start);
     let (centre, start_radius, end_radius) = match centre {
-        Place::Radius(radius) => {
-            let centre = centre_from_radius(start, &chord, &radius, sense, judgement)?;
-            (centre, radius.abs(), radius.abs())
+        Place::Radius(word) => {
+            let (centre, radius) = from_radius(start, &chord, &word, sense, parameters, judgement)?;
+            (centre, radius.clone(), radius)
         }
         Place::FromStart(vector) => {
             let centre = start.plus(&vector);
@@ -64,8 +64,8 @@ pub(crate) fn programmed(
         }
     };
     // [TRC-ARC-02]
-    let nearer = smaller(start_radius.clone(), end_radius.clone());
-    if judgement.decide(DecisionKind::CentreDistance, &nearer, nearer.clone()) != Ordering::Greater {
+    let apart = smaller(start_radius.clone(), end_radius.clone()) - mode::ratio(parameters.centre_tolerance);
+    if judgement.decide(DecisionKind::CentreDistance, &apart, apart.clone()) != Ordering::Greater {
         return Err(AlarmKind::CentreAtEnd);
     }
     // [TRC-ARC-03]
@@ -82,30 +82,41 @@ pub(crate) fn programmed(
     })
 }
 
-/// [TRC-ARC-01] `m + s·√(R² - q²/4)·perp(w)`, and [TRC-ARC-06].
-fn centre_from_radius(
+/// Centre and radius of an arc with R: [TRC-ARC-01] `m + s·√(R² - q²/4)·perp(w)`, and [TRC-ARC-06].
+fn from_radius(
     start: &Vector,
     chord: &Vector,
-    radius: &Real,
+    word: &Real,
     sense: Direction,
+    parameters: &Parameters,
     judgement: &mut Judgement<'_>,
-) -> Result<Vector, AlarmKind> {
+) -> Result<(Vector, Real), AlarmKind> {
     let half = Real::one().checked_div(&Real::integer(2)).unwrap_or_else(Real::zero);
     let chord_squared = chord.length_squared();
     let length = chord_squared.sqrt_or_zero();
     if judgement.decide(DecisionKind::Moves, &chord_squared, length.clone()) != Ordering::Greater {
         return Err(AlarmKind::NoSuchArc);
     }
-    let height_squared = radius.square() - &chord_squared * &half.square();
-    let margin = radius.abs() - &length * &half;
-    if judgement.decide(DecisionKind::ChordFits, &height_squared, margin) == Ordering::Less {
+    let (radius, half_chord) = (word.abs(), &length * &half);
+    let half_chord_squared = &chord_squared * &half.square();
+    let longest = &radius + mode::ratio(parameters.chord_tolerance);
+    let margin = &longest - &half_chord;
+    if judgement.decide(DecisionKind::ChordFits, &(longest.square() - &half_chord_squared), margin) == Ordering::Less {
         return Err(AlarmKind::NoSuchArc);
+    }
+    let height_squared = radius.square() - &half_chord_squared;
+    let middle = start.along(chord, &half);
+    // Without a tolerance no half chord that is longer comes here.
+    if parameters.chord_tolerance.numerator > 0
+        && judgement.decide(DecisionKind::HalfTurn, &height_squared, &radius - &half_chord) == Ordering::Less
+    {
+        return Ok((middle, half_chord));
     }
     // √(R² - q²/4) / q, so that the chord need not be made a unit vector.
     let height = height_squared.checked_div(&chord_squared).map_or_else(Real::zero, |ratio| ratio.sqrt_or_zero());
-    let left = (radius.sign() != Ordering::Less) == (sense == Direction::Counterclockwise);
+    let left = (word.sign() != Ordering::Less) == (sense == Direction::Counterclockwise);
     let height = if left { height } else { -height };
-    Ok(start.along(chord, &half).along(&chord.perp(), &height))
+    Ok((middle.along(&chord.perp(), &height), radius))
 }
 
 /// [TRC-ARC-07] whether the tool runs a full circle whole: it starts and ends at the circle's own normal.

@@ -72,3 +72,8 @@ impl Offset {
 pub(crate) fn same_code(block: &Block<Rational>, in_force: Option<Side>) -> bool {
     matches!(block.compensation, Some(Compensation::On(code)) if in_force == Some(code))
 }
+
+/// Whether a block gives the code of the other side than the one in force ([TRC-SIDE-01]).
+pub(crate) fn other_code(block: &Block<Rational>, in_force: Option<Side>) -> bool {
+    matches!(block.compensation, Some(Compensation::On(code)) if in_force == Some(code.other()))
+}

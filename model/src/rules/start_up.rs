@@ -45,21 +45,23 @@ pub(crate) fn shift(next: &Element, side: Side, radius: &Real) -> Vector {
     next.first_arm().normal(side, radius)
 }
 
-/// [TRC-START-07] the line that a start-up block counts as from its end on, or the alarm of one that is too short.
-pub(crate) fn entry_line(
-    tool: &Vector,
+/// [TRC-START-07] the distance from the programmed start to the end must be greater than the tool radius; [TRC-START-09]
+/// so must that of an arc's end from the tool.
+pub(crate) fn long_enough(
+    start: &Vector,
     end: &Vector,
     radius: &Real,
     judgement: &mut Judgement<'_>,
-) -> Result<Element, AlarmKind> {
-    let element = Element::line(tool.clone(), end.clone());
-    let Shape::Line { length, .. } = &element.shape else { return Ok(element) };
-    long_enough(length, radius, judgement)?;
-    Ok(element)
+) -> Result<(), AlarmKind> {
+    let margin = end.minus(start).length() - radius;
+    match judgement.decide(DecisionKind::EntryLength, &margin, margin.clone()) {
+        Ordering::Greater => Ok(()),
+        _ => Err(AlarmKind::EntryTooShort),
+    }
 }
 
-/// [TRC-START-09] an arc with the tool's own arc of its entry move, or the alarm. That the tool fits inside has been
-/// seen to.
+/// [TRC-START-09] an arc with the tool's own arc of its entry move, or the alarm. Its length and the fit of the tool
+/// inside it have been seen to.
 pub(crate) fn entry_arc(
     mut element: Element,
     tool: &Vector,
@@ -67,7 +69,6 @@ pub(crate) fn entry_arc(
     radius: &Real,
     judgement: &mut Judgement<'_>,
 ) -> Result<Element, AlarmKind> {
-    long_enough(&element.end.minus(tool).length(), radius, judgement)?;
     let end = element.last_arm().normal(side, radius);
     let Shape::Arc { centre, entry, .. } = &mut element.shape else { return Ok(element) };
     let (to_start, to_centre) = (tool.minus(&end), centre.minus(&end));
@@ -87,13 +88,4 @@ pub(crate) fn entry_arc(
         end,
     }));
     Ok(element)
-}
-
-/// An entry must be longer than the tool radius.
-fn long_enough(length: &Real, radius: &Real, judgement: &mut Judgement<'_>) -> Result<(), AlarmKind> {
-    let margin = length - radius;
-    match judgement.decide(DecisionKind::EntryLength, &margin, margin.clone()) {
-        Ordering::Greater => Ok(()),
-        _ => Err(AlarmKind::EntryTooShort),
-    }
 }

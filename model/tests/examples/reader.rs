@@ -2,8 +2,8 @@
 
 use radcomp_model::number::parse_decimal;
 use radcomp_spec::parameters::{
-    Activation, CancelVector, CornerCodes, Dummy, InMode, Measure, OffsetZero, Plane, ReadAheadStop, SideCodeVector,
-    ToolChange, VectorCodes,
+    Activation, Approach, ApproachCodes, CancelVector, CornerCodes, Dummy, InMode, Measure, OffsetZero, Plane,
+    ReadAheadStop, SideCodeVector, ToolChange, VectorCodes,
 };
 use radcomp_spec::profile::Profile;
 use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
@@ -61,6 +61,8 @@ fn words(line: &str) -> Vec<Word> {
     while let (Some(open), Some(close)) = (text.find('('), text.find(')')) {
         text.replace_range(open..=close, " ");
     }
+    // Codes that are words ([TRC-START-12]).
+    let text = text.replace("NORM", "!0").replace("KONT", "!1");
     let mut words = Vec::new();
     let mut rest = text.trim_start();
     while let Some(letter) = rest.chars().next() {
@@ -223,6 +225,8 @@ impl Reader<'_> {
             };
         } else if word.is('M', &[0, 1]) {
             block.stops_look_ahead = machine.read_ahead_stop == ReadAheadStop::BreaksLookAhead;
+        } else if word.is('!', &[0, 1]) && machine.approach_codes == ApproachCodes::NormKont {
+            block.approach = Some(if word.value == 0 { Approach::Norm } else { Approach::Kont });
         } else if word.is('M', &[96, 97]) && machine.corner_codes == CornerCodes::M96M97 {
             block.corner = Some(if word.value == 96 { OuterCorner::Arc } else { OuterCorner::Intersection });
         } else if word.is('G', &[450, 451]) && machine.corner_codes == CornerCodes::G450G451 {

@@ -148,6 +148,7 @@ fn block(choices: &mut Choices<'_>, position: &mut [i32; 2]) -> Block<Rational> 
         vector: choices.once_in(6).then(|| exact([choices.coordinate(), 1 + choices.below(4) as i32])),
         radius,
         corner: choices.once_in(20).then(|| choices.value(OuterCorner::VALUES)),
+        approach: choices.once_in(20).then(|| choices.value(Approach::VALUES)),
         stops_look_ahead: choices.once_in(20),
         not_in_mode: choices.once_in(80).then_some(AlarmKind::ToolChangeInMode),
     }

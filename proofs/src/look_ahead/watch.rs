@@ -1,7 +1,7 @@
 //! Stands in for the geometry: answers as it is told, and watches what it is asked to emit and in which order.
 
 use radcomp_impl::geometry::{Begin, End, Event, Geometry, Kind, Meeting, Toward};
-use radcomp_spec::parameters::StartUpLost;
+use radcomp_spec::parameters::{PendingAtAlarm, StartUpLost};
 use radcomp_spec::{Alarm, AlarmKind, Clause, Compensation, Parameters, Side, clause};
 
 use crate::{Choice, reached};
@@ -21,6 +21,8 @@ pub(super) struct Watch {
     rapid: u128,
     /// A start-up without next element has no vector. [TRC-START-04]
     no_vector: bool,
+    /// An alarm loses the pending element. [TRC-MODE-10]
+    lost: bool,
     /// The side that the codes ask for. [TRC-MODE-02]
     pub asked: Option<Side>,
     /// What the block read has done so far.
@@ -33,8 +35,8 @@ pub(super) struct Awaited {
     pub block: usize,
     pub begin: Begin,
     side: Side,
-    /// It is an entry move.
-    entry: bool,
+    /// It is an entry move, a line or an arc.
+    entry: Option<Kind>,
 }
 
 /// What one block has done.
@@ -42,14 +44,20 @@ pub(super) struct Awaited {
 struct Now {
     /// It is a corner arc to the next element.
     waits: bool,
+    /// It is an arc.
+    arc: bool,
     /// It is an element or a dummy block.
     meets: bool,
     /// The element before it has ended for the vector of this block.
     ended: bool,
     /// The side in force. [TRC-SIDE-07]
     side: Option<Side>,
-    /// It is an entry move.
-    entry: bool,
+    /// It is an entry move, a line or an arc.
+    entry: Option<Kind>,
+    /// The pending element has met an alarm of its own.
+    reversed: bool,
+    /// The moves of a block that is lost have been made, and nothing may follow.
+    over: bool,
     /// A junction has been formed, and not ended at yet.
     formed: bool,
     /// The element before it has ended at a junction.
@@ -67,8 +75,9 @@ pub(super) struct Answers<'a, C> {
 impl Watch {
     pub fn new(parameters: &Parameters) -> Watch {
         let no_vector = parameters.start_up_lost == StartUpLost::NoVector;
+        let lost = parameters.pending_at_alarm == PendingAtAlarm::Lost;
         let now = Now::default();
-        Watch { next: 0, read: 0, pending: None, corner: None, rapid: 0, no_vector, asked: None, now }
+        Watch { next: 0, read: 0, pending: None, corner: None, rapid: 0, no_vector, lost, asked: None, now }
     }
 
     /// A block begins to be read.
@@ -83,19 +92,33 @@ impl Watch {
         let side = self.asked.map(|side| if event.swapped { side.other() } else { side });
         let waits = event.kind == Kind::CornerToNext;
         let meets = matches!(event.kind, Kind::Line | Kind::Arc | Kind::Dummy | Kind::HeldVector);
-        self.now = Now { side, waits, meets, ..Now::default() };
+        self.now = Now { side, waits, meets, arc: event.kind == Kind::Arc, ..Now::default() };
     }
 
     pub fn rapid(&self, block: usize) -> bool {
         self.rapid >> (block % 128) & 1 == 1
     }
 
-    /// All before the alarm's block has been handed on, and nothing of it or after it.
+    /// All before the alarm's block has been handed on, and nothing of it or after it; where the element before is lost,
+    /// all before that, and the moves of the junction before it.
     pub fn stopped(&self, alarm: Alarm) {
-        assert!(alarm.block <= self.read && self.next == alarm.block, "an alarm stops before its block");
+        assert!(alarm.block <= self.read, "an alarm is at a block that has been read");
+        let waits = self.pending.map(|pending| pending.block).or(self.corner.map(|corner| corner.0));
+        // A block with G40 ends the element before it.
+        if self.lost && self.asked.is_some() && waits.is_some() {
+            assert!(waits == Some(self.next), "an alarm loses the element before its block");
+        } else {
+            assert!(self.next == alarm.block, "an alarm stops before its block");
+        }
+        let owns = |pending: Awaited| matches!(pending.begin, Begin::Junction | Begin::Settled);
+        assert!(
+            !self.lost || self.asked.is_none() || self.now.over || !self.pending.is_some_and(owns),
+            "the moves of a block that is lost are made"
+        );
     }
 
     fn emit(&mut self, block: usize) {
+        assert!(!self.now.over, "nothing follows a block that is lost");
         assert!(block == self.next, "blocks are handed on in order, none lost and none twice");
         self.next += 1;
     }
@@ -119,7 +142,7 @@ impl Watch {
 impl Awaited {
     /// It is a start-up block of type A or B.
     fn starts_up(&self) -> bool {
-        self.begin == Begin::StartUp && !self.entry
+        self.begin == Begin::StartUp && self.entry.is_none()
     }
 }
 
@@ -137,7 +160,7 @@ impl<C: Choice> Geometry for Answers<'_, C> {
         assert!(self.watch.is_at_its_place(), "an entry move follows what has been settled");
         if self.choice.flag() {
             reached!(self.choice, "an entry move");
-            self.watch.now.entry = true;
+            self.watch.now.entry = Some(if self.watch.now.arc { Kind::Arc } else { Kind::Line });
             Ok(())
         } else {
             Err(AlarmKind::EntryTooShort)
@@ -176,7 +199,8 @@ impl<C: Choice> Geometry for Answers<'_, C> {
     fn settle(&mut self, end: End<()>, start_up: bool) -> Result<(), AlarmKind> {
         let pending = self.watch.pending.take().expect("an element is pending");
         let starts = pending.starts_up();
-        assert!(start_up == (starts || pending.begin == Begin::Shift), "a start-up block is settled as one");
+        let start_up_block = starts || pending.begin == Begin::Shift || pending.entry == Some(Kind::Line);
+        assert!(start_up == start_up_block, "a start-up block is settled as one");
         let formed = std::mem::take(&mut self.watch.now.formed);
         match end {
             End::Junction(()) => assert!(formed, "an element ends at the junction just formed"),
@@ -208,8 +232,18 @@ impl<C: Choice> Geometry for Answers<'_, C> {
             Ok(())
         } else {
             reached!(self.choice, "an alarm at the pending block");
+            self.watch.now.reversed = true;
             Err(AlarmKind::ReversedLine)
         }
+    }
+
+    fn start_moves(&mut self) {
+        reached!(self.choice, "corner moves of a block that is lost");
+        assert!(self.watch.lost, "a block is lost where the parameter says so");
+        let owner = self.watch.pending.map(|pending| pending.begin);
+        let owns = owner.map_or(self.watch.now.reversed, |begin| matches!(begin, Begin::Junction | Begin::Settled));
+        assert!(owns && !self.watch.now.over, "corner moves belong to the element that is lost");
+        self.watch.now.over = true;
     }
 
     fn hold(&mut self, block: usize, rapid: bool, _: Clause) {
@@ -238,6 +272,13 @@ impl<C: Choice> Geometry for Answers<'_, C> {
         self.watch.emit(self.watch.read);
     }
 
+    fn come_back(&mut self, _: Clause) {
+        reached!(self.choice, "a move of length zero that cancels");
+        assert!(self.watch.asked.is_none(), "a move of length zero cancels where no side is asked for");
+        assert!(self.watch.pending.is_none(), "the element before has ended");
+        self.watch.emit(self.watch.read);
+    }
+
     fn follow(&mut self, _: Clause) {
         assert!(self.watch.pending.is_none(), "the element before has ended");
         self.watch.emit(self.watch.read);
@@ -249,9 +290,11 @@ impl<C: Choice> Geometry for Answers<'_, C> {
         assert!(Some(side) == in_force, "an element begins on the side in force");
         match begin {
             Begin::StartUp => {}
-            Begin::Shift => assert!(!entry, "an entry move moves"),
-            Begin::Junction => assert!(joined && !entry, "the junction behind which an element begins is formed"),
-            Begin::Settled => assert!(!joined && !entry, "no junction is formed twice"),
+            Begin::Shift => assert!(entry.is_none(), "an entry move moves"),
+            Begin::Junction => {
+                assert!(joined && entry.is_none(), "the junction behind which an element begins is formed")
+            }
+            Begin::Settled => assert!(!joined && entry.is_none(), "no junction is formed twice"),
         }
         self.watch.now.owed = false;
         self.watch.pending = Some(Awaited { block: self.watch.read, begin, side, entry });

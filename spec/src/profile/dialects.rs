@@ -24,6 +24,7 @@ const ROWS: &[(&str, &[&str])] = &[
     ("I, J, K beside G40", &["cancel-vector"]),
     ("offset value changed in mode", &["offset-change"]),
     ("path run backwards", &["reversed-path"]),
+    ("interference", &["interference", "interference-blocks"]),
     ("arc radius equal to the tool's", &["equal-radius"]),
     ("negative radius", &["negative-radius"]),
     ("offset 0", &["offset-zero"]),

@@ -126,6 +126,12 @@ pub const PARAMETERS: &[Parameter] = &[
         values: word!(CornerCodes, machine.corner_codes),
     },
     Parameter {
+        key: "machine.approach-codes",
+        meaning: "codes that choose start-up and cancel",
+        clause: clause::TRC_START_12,
+        values: word!(ApproachCodes, machine.approach_codes),
+    },
+    Parameter {
         key: "machine.plane-change",
         meaning: "a change of plane in mode",
         clause: clause::TRC_MODE_08,
@@ -388,6 +394,36 @@ pub const PARAMETERS: &[Parameter] = &[
         meaning: "offset value of another magnitude in mode",
         clause: clause::TRC_MODE_03,
         values: word!(OffsetChange, parameters.offset_change),
+    },
+    Parameter {
+        key: "compensation.chord-tolerance",
+        meaning: "by how much half a chord may exceed the radius of its arc, in millimetres",
+        clause: clause::TRC_ARC_06,
+        values: Values::Decimal { positive: false, field: |profile| &mut profile.parameters.chord_tolerance },
+    },
+    Parameter {
+        key: "compensation.centre-tolerance",
+        meaning: "how far from an end of its arc a centre counts as lying there, in millimetres",
+        clause: clause::TRC_ARC_02,
+        values: Values::Decimal { positive: false, field: |profile| &mut profile.parameters.centre_tolerance },
+    },
+    Parameter {
+        key: "compensation.interference",
+        meaning: "interference of vectors of one or several blocks",
+        clause: clause::TRC_INT_01,
+        values: word!(Interference, parameters.interference),
+    },
+    Parameter {
+        key: "compensation.interference-blocks",
+        meaning: "blocks that move and are read together for interference",
+        clause: clause::TRC_INT_04,
+        values: word!(InterferenceBlocks, parameters.interference_blocks),
+    },
+    Parameter {
+        key: "compensation.interference-boundary",
+        meaning: "vectors that lead the tool neither forward nor back",
+        clause: clause::TRC_INT_02,
+        values: word!(InterferenceBoundary, parameters.interference_boundary),
     },
     Parameter {
         key: "tips.T0",

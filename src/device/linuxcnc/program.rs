@@ -116,6 +116,9 @@ impl State {
         if block.corner.is_some() {
             return unsupported("a choice of the outer corner");
         }
+        if block.approach.is_some() {
+            return unsupported("NORM and KONT");
+        }
         if let Some(radius) = &block.radius {
             // The interpreter takes a D word with G41 and G42 alone. Without them it is told where it matters.
             if self.side.is_some() && *radius != self.radius && block.compensation.is_none() {

@@ -2,10 +2,10 @@
 
 use proptest::prelude::*;
 use radcomp_spec::parameters::{
-    CancelVector, CornerCodes, InMode, ReadAheadStop, SideCodeVector, ToolChange, VectorCodes,
+    ApproachCodes, CancelVector, CornerCodes, InMode, ReadAheadStop, SideCodeVector, ToolChange, VectorCodes,
 };
 use radcomp_spec::profile::{BUILTIN, Machine, Profile};
-use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
+use radcomp_spec::{AlarmKind, Approach, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
 use rug::Rational;
 
 use super::tools;
@@ -62,16 +62,18 @@ fn block() -> impl Strategy<Value = Block<Rational>> {
         1 => Just(Some(AlarmKind::ToolChangeInMode)),
         1 => Just(Some(AlarmKind::CannedCycleInMode)),
     ];
+    let approach = prop_oneof![6 => Just(None), 1 => Just(Some(Approach::Norm)), 1 => Just(Some(Approach::Kont))];
     let stops = prop::bool::weighted(0.1);
     let vector = prop::option::weighted(0.5, point());
-    (movement(), any::<bool>(), compensation, vector, radius, corner, stops, not_in_mode).prop_map(
-        |(movement, rapid, compensation, vector, radius, corner, stops_look_ahead, not_in_mode)| Block {
+    (movement(), any::<bool>(), compensation, vector, radius, (corner, approach), stops, not_in_mode).prop_map(
+        |(movement, rapid, compensation, vector, radius, (corner, approach), stops_look_ahead, not_in_mode)| Block {
             movement,
             rapid,
             compensation,
             vector,
             radius,
             corner,
+            approach,
             stops_look_ahead,
             not_in_mode,
         },
@@ -90,6 +92,7 @@ fn expressible(mut blocks: Vec<Block<Rational>>, profile: &Profile) -> Vec<Block
             CornerCodes::M96M97 => *corner != OuterCorner::LimitAngle,
             CornerCodes::G450G451 => *corner != OuterCorner::Intersection,
         });
+        block.approach = block.approach.filter(|_| machine.approach_codes == ApproachCodes::NormKont);
         if matches!(block.movement, Movement::Dummy { .. }) {
             block.movement = Movement::None;
         }
