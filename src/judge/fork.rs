@@ -77,7 +77,7 @@ pub(crate) fn find(
         Reception::Accepted => Parting::anywhere(),
         Reception::Refused(parting) => parting,
     };
-    if base.choices[base.useful(blocks, &parting)].iter().all(|choice| choice.is_near) {
+    if base.choices[base.useful(parameters, blocks, &parting)].iter().all(|choice| choice.is_near) {
         return Err(near);
     }
     search(parameters, blocks, traced, |branch| receive(&branch.run))
@@ -107,7 +107,7 @@ fn search(
                 Reception::Refused(parting) => parting,
             }
         };
-        for position in branch.useful(blocks, &parting).filter(|position| *position >= script.len()) {
+        for position in branch.useful(parameters, blocks, &parting).filter(|position| *position >= script.len()) {
             for answer in branch.choices[position].others() {
                 let mut longer: Vec<_> = branch.choices[..position].iter().map(|choice| choice.taken).collect();
                 longer.push(answer);
@@ -245,9 +245,9 @@ impl<'a> Branch<'a> {
 
     /// The decisions inside the band that could bring an answer together with the outcome: from the first to the last one
     /// whose influence meets the place where they part, or meets that of such a one.
-    fn useful(&self, blocks: &[Block<Rational>], parting: &Parting) -> Range<usize> {
+    fn useful(&self, parameters: &Parameters, blocks: &[Block<Rational>], parting: &Parting) -> Range<usize> {
         let last = self.choices.partition_point(|choice| choice.elements <= parting.settled);
-        let influence = Influence::on(&self.run.steps, blocks);
+        let influence = Influence::on(parameters, &self.run.steps, blocks);
         let spared = |choice: &Choice| parting.vector.is_some_and(|end| influence.spares_end_of(end, choice.reading));
         let mut first = last;
         // What another answer to the useful ones may change comes after this path element.

@@ -9,9 +9,11 @@
 //!
 //! Two things carry a vector on, or the mode: a block whose vector the program gives or holds, which does not count as one
 //! that moves here; and a start-up block whose next element is not found, which in some controls leaves the mode to be
-//! started up again. The first block that moves is one whose next element is found.
+//! started up again. The first block that moves is one whose next element is found. A control that looks for interference
+//! over several blocks ([TRC-INT-01]) forms its vectors otherwise; nothing is said of it here.
 
 use radcomp_model::number::Real;
+use radcomp_spec::parameters::{Interference, Parameters};
 use radcomp_spec::{Block, Clause, Movement, Step, clause};
 use rug::Rational;
 
@@ -32,11 +34,11 @@ pub(super) struct Influence<'a> {
 
 impl<'a> Influence<'a> {
     /// Influence on the outcome with these path elements.
-    pub(super) fn on(steps: &'a [Step<Real>], blocks: &[Block<Rational>]) -> Self {
+    pub(super) fn on(parameters: &Parameters, steps: &'a [Step<Real>], blocks: &[Block<Rational>]) -> Self {
         let plain = |step: &Step<Real>| {
             let block = &blocks[step.block];
             let moves = matches!(block.movement, Movement::Line { .. } | Movement::Arc { .. });
-            step.main && moves && block.vector.is_none()
+            parameters.interference == Interference::Off && step.main && moves && block.vector.is_none()
         };
         let movers = steps.iter().enumerate().filter(|(_, step)| plain(step));
         let movers = movers.map(|(index, step)| Mover { block: step.block, step: index, lost: is_lost(step.clause) });
@@ -102,7 +104,7 @@ mod tests {
             for number in 0..500 {
                 let blocks = program(&profile, number);
                 let exact = run(&profile.parameters, &blocks);
-                let influence = Influence::on(&exact.steps, &blocks);
+                let influence = Influence::on(&profile.parameters, &exact.steps, &blocks);
                 let ends: Vec<usize> =
                     (0..blocks.len()).filter(|index| moved(&blocks[*index], [0, 0]).is_some()).collect();
                 for pair in ends.windows(2) {
@@ -123,7 +125,7 @@ mod tests {
                 }
             }
         }
-        assert!(seen > 10_000, "{seen}");
+        assert!(seen > 8_000, "{seen}");
     }
 
     /// Watches which blocks have path elements.

@@ -67,6 +67,8 @@ impl Transcript {
         if let Some(message) = &self.error {
             let read = self.read.ok_or_else(|| DeviceFault::Garbled(format!("rs274 says: {message}")))?;
             self.answer.alarm = Some(alarm(message, read, &self.places)?);
+            // The block that is refused has set its feed before.
+            self.answer.steps.retain(|step| step.segment != Segment::Hold || step.block != read);
         }
         Ok(self.answer)
     }
@@ -96,6 +98,12 @@ impl Transcript {
             _ => return,
         };
         let (Segment::Line { end } | Segment::Arc { end, .. }) = segment else { return };
+        // A block whose programmed move has no length may move the tool all the same: from the offset contour.
+        let held = |step: &Step<f64>| step.block == self.block && step.segment == Segment::Hold;
+        if (end[0] - self.at[0]).hypot(end[1] - self.at[1]) > NO_DISTANCE && self.answer.steps.last().is_some_and(held)
+        {
+            self.answer.steps.pop();
+        }
         self.at = end;
         let rapid = name == "STRAIGHT_TRAVERSE";
         self.answer.steps.push(Step { block: self.block, clause: clause::TRC_MODE_01, rapid, main: true, segment });
