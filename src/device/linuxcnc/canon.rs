@@ -98,12 +98,6 @@ impl Transcript {
             _ => return,
         };
         let (Segment::Line { end } | Segment::Arc { end, .. }) = segment else { return };
-        // A block whose programmed move has no length may move the tool all the same: from the offset contour.
-        let held = |step: &Step<f64>| step.block == self.block && step.segment == Segment::Hold;
-        if (end[0] - self.at[0]).hypot(end[1] - self.at[1]) > NO_DISTANCE && self.answer.steps.last().is_some_and(held)
-        {
-            self.answer.steps.pop();
-        }
         self.at = end;
         let rapid = name == "STRAIGHT_TRAVERSE";
         self.answer.steps.push(Step { block: self.block, clause: clause::TRC_MODE_01, rapid, main: true, segment });
