@@ -9,18 +9,18 @@ use std::process::{Command, Stdio};
 
 /// The environment variable with the path of the command `radcomp` that judges.
 const JUDGE: &str = "RADCOMP_JUDGE";
-/// The environment variable that leaves the whole campaign out: a first look, whose failure is one of the whole.
-const FIRST_LOOK: &str = "RADCOMP_FIRST_LOOK";
-/// Parts of the campaign, smallest first: most faults show in the first hundred programs of one profile or another.
-const PARTS: [&str; 2] = ["1/480", "1/48"];
-const WHOLE: &str = "1/1";
+/// The environment variable with the parts of the campaign to run, separated by commas: a failure of a part is one of
+/// the whole.
+const PARTS: &str = "RADCOMP_PARTS";
+/// All of it, smallest part first: most faults show in the first hundred programs of one profile or another.
+const ALL_PARTS: &str = "1/480,1/48,1/1";
 
 #[test]
 fn every_profile_passes_level_1() {
     let judge = std::env::var_os(JUDGE).unwrap_or_else(|| panic!("{JUDGE} does not name the command that judges"));
     let profiles = profiles();
-    let whole = std::env::var_os(FIRST_LOOK).is_none().then_some(WHOLE);
-    for part in PARTS.into_iter().chain(whole) {
+    let parts = std::env::var(PARTS).unwrap_or_else(|_| ALL_PARTS.to_owned());
+    for part in parts.split(',') {
         for profile in &profiles {
             let mut certify = Command::new(&judge);
             certify.args(["certify", "--level", "1", "--timeout", "1", "--shard", part, "--profile"]).arg(profile);
