@@ -11,7 +11,7 @@ build certify: export RADCOMP_COMMIT ?= $(shell git describe --always --dirty --
 LOCKED := $(if $(CI),--locked)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build book test prove fuzz-smoke nightly certify bench lint doc
+.PHONY: help setup build book test prove fuzz-smoke nightly mutants certify bench lint doc
 
 help: ## List the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
@@ -39,8 +39,11 @@ prove: ## Lemmas and exhaustive searches of proofs/, with what they visited; Kan
 fuzz-smoke: setup ## Each fuzz target on its seeds and corpus, and 30 s more; a planted fault must be found
 	scripts/fuzz smoke
 
-nightly: setup ## What takes hours: every fuzz target for half an hour, with the address sanitizer
+nightly: setup ## What takes hours: every fuzz target for half an hour, with the address sanitizer; findings are promoted
 	scripts/fuzz long
+
+mutants: setup ## Count which small changes of the code the suite catches (PART=implementation|reader, SHARD=0/8); hours
+	scripts/mutants $(or $(PART),implementation) $(if $(SHARD),--shard $(SHARD))
 
 certify: setup ## Certify the built-in device against each profile (PROFILES=…, LEVEL=…)
 	$(CARGO) build $(LOCKED) --release --bin radcomp

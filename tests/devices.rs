@@ -16,6 +16,8 @@ mod protocol;
 mod recorded;
 #[path = "verify/schema.rs"]
 mod schema;
+#[path = "devices/smallest.rs"]
+mod smallest;
 
 use std::time::Duration;
 

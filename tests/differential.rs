@@ -85,6 +85,17 @@ const VARIANTS: &[&str] = &[
     r#"side-code-vector = "right-angles"; start-up = "type-b"; cancel-without-movement = "shift""#,
     r#"offset-change = "end-of-block"; negative-radius = "swaps-sides"; side-change = "intersection""#,
     r#"offset-change = "end-of-block"; equal-radius = "degenerate-point"; start-up-without-movement = "shift""#,
+    r#"approach-codes = "norm-kont"; outer-corner = "arc"; smallest-corner-cosine = "0.6""#,
+    r#"chord-tolerance = "0.5"; centre-tolerance = "0.5"; zero-length-move = "starts-and-cancels""#,
+    r#"pending-at-alarm = "lost"; zero-length-move = "starts-and-cancels"; start-up-without-movement = "shift""#,
+    r#"interference = "remove-vectors"; interference-boundary = "inclusive""#,
+    r#"interference = "remove-vectors"; corner-owner = "previous"; offset-change = "end-of-block""#,
+    r#"interference = "alarm"; interference-blocks = "3"; interference-boundary = "inclusive""#,
+    r#"interference = "alarm"; interference-blocks = "8"; pending-at-alarm = "lost"; outer-corner = "arc""#,
+    r#"interference = "alarm"; interference-blocks = "4"; corner-owner = "previous"; side-change = "intersection""#,
+    r#"interference = "avoid"; interference-blocks = "3"; outer-corner = "arc"; same-code = "normal""#,
+    r#"interference = "avoid"; interference-blocks = "6"; corner-owner = "previous"; vector-codes = "g38-g39""#,
+    r#"interference = "avoid"; interference-blocks = "7"; interference-boundary = "inclusive"; cancel = "type-b""#,
 ];
 
 fn variants() -> impl Iterator<Item = (&'static str, Profile)> {

@@ -65,7 +65,8 @@ impl Engine {
         }
         let end = self.state.position;
         let given = Vector::zeros();
-        let mut scene = Scene { state: &mut self.state, sink, end, block: self.blocks, rapid: false, given };
+        let mut scene =
+            Scene { state: &mut self.state, sink, end, block: self.blocks, rapid: false, runs: false, given };
         let result = self.window.finish(&mut scene);
         self.alarm = result.err();
         result
@@ -188,7 +189,8 @@ impl Engine {
             Ok(end) => end,
             Err(kind) => return self.refuse(block, index, kind, sink),
         };
-        let mut scene = Scene { state: &mut self.state, sink, end, block: index, rapid: block.rapid, given };
+        let runs = matches!(kind, Kind::Line | Kind::Arc);
+        let mut scene = Scene { state: &mut self.state, sink, end, block: index, rapid: block.rapid, runs, given };
         let mut other_radius = false;
         if let Some(radius) = block.radius {
             other_radius = radius.abs() != scene.state.radius_in_force;
@@ -239,7 +241,8 @@ impl Engine {
         let (end, given) = (self.state.position, Vector::zeros());
         let other_radius = block.radius.is_some_and(|radius| radius.abs() != self.state.radius_in_force);
         let event = Event { code: block.compensation, other_radius, ..Event::of(Kind::Arc) };
-        let mut scene = Scene { state: &mut self.state, sink, end, block: index, rapid: block.rapid, given };
+        let (rapid, runs) = (block.rapid, false);
+        let mut scene = Scene { state: &mut self.state, sink, end, block: index, rapid, runs, given };
         self.window.refuse(index, event, kind, &mut scene)
     }
 }

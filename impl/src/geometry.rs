@@ -1,6 +1,6 @@
 //! What the look-ahead tells geometry, and what it asks of it: the words between [`crate::window`] and the numbers.
 
-use radcomp_spec::{AlarmKind, Clause, Compensation, Side};
+use radcomp_spec::{Alarm, AlarmKind, Clause, Compensation, Side};
 
 /// The movement of a block, as far as the look-ahead tells them apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,6 +100,17 @@ pub enum End<J> {
     Held,
 }
 
+/// What an element is settled as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// A start-up block, a straight entry move among them. [TRC-START-01], [TRC-START-07]
+    StartUp,
+    /// An arc as entry move. [TRC-START-09]
+    EntryArc,
+    /// An element of offset mode.
+    Contour,
+}
+
 /// Where a corner arc leads. [TRC-VEC-02], [TRC-VEC-03]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Toward {
@@ -141,15 +152,18 @@ pub trait Geometry {
     /// # Errors
     /// An alarm at the block read.
     fn junction(&mut self, meeting: Meeting, side: Side) -> Result<Self::Junction, AlarmKind>;
-    /// Emits the pending element; `start_up` when it is a start-up block, but for an arc as entry move, which is looked at
-    /// as other elements are. [TRC-WEDGE-02], [TRC-WEDGE-03]
+    /// Emits the pending element, or holds it back until more vectors are known. [TRC-INT-04]
     ///
     /// # Errors
-    /// An alarm at the pending block, of which nothing is emitted then.
-    fn settle(&mut self, end: End<Self::Junction>, start_up: bool) -> Result<(), AlarmKind>;
-    /// Emits the moves of the junction before the pending element that it owns, when the element itself is lost in an
-    /// alarm. [TRC-MODE-10]
-    fn start_moves(&mut self);
+    /// An alarm at the pending block, of which nothing is emitted then, or at one that has been held back.
+    /// [TRC-WEDGE-02], [TRC-WEDGE-03], [TRC-INT-03] to [TRC-INT-05]
+    fn settle(&mut self, end: End<Self::Junction>, part: Part) -> Result<(), Alarm>;
+    /// Emits what is held back, and the moves of the junction before the pending element that it owns, when the element
+    /// itself, which is no start-up block, is lost in an alarm. [TRC-MODE-10]
+    ///
+    /// # Errors
+    /// An alarm at a block that has been held back.
+    fn lose(&mut self) -> Result<(), Alarm>;
     /// Emits a block without movement.
     fn hold(&mut self, block: usize, rapid: bool, clause: Clause);
     /// Emits the corner moves that the block read owns: a dummy block, or a cancel block of type B.

@@ -87,6 +87,22 @@ impl Junction {
         self.first = vector;
     }
 
+    /// Drops so many moves, the last ones. [TRC-INT-03]
+    pub fn drop_last(&mut self, moves: u8) {
+        self.count = self.count.saturating_sub(moves);
+        self.round = self.round.filter(|_| self.count > 0);
+    }
+
+    /// Drops so many vectors, the first ones; at least one is to be left. [TRC-INT-03]
+    pub fn drop_first(&mut self, vectors: u8) {
+        for _ in 0..vectors.min(self.count) {
+            let [a, b, c] = self.points;
+            (self.first, self.points) = (a, [b, c, c]);
+            self.count -= 1;
+        }
+        self.round = self.round.filter(|_| self.count > 0);
+    }
+
     /// An arc neither ends nor starts on its own normal: both meet in one point off their normals.
     #[inline(always)]
     pub fn leave_normals(&mut self) {

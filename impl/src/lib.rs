@@ -23,6 +23,7 @@ pub mod geometry;
 mod held;
 mod imaginary;
 mod inner;
+mod interference;
 mod junction;
 mod meet;
 mod path;

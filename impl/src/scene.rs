@@ -1,97 +1,52 @@
 //! The geometry behind the look-ahead: the pending element, the path's end, and the emission of steps.
 
+mod row;
+mod state;
 mod vector;
 
 use core::cmp::Ordering;
 
-use radcomp_spec::parameters::{CornerOwner, EqualRadius, NegativeRadius, ReversedPath, StartUp};
-use radcomp_spec::{AlarmKind, Clause, Parameters, Segment, Side, Step, clause};
+use radcomp_spec::parameters::{CornerOwner, EqualRadius, StartUp};
+use radcomp_spec::{Alarm, AlarmKind, Clause, Segment, Side, Step, clause};
 
-use crate::arc_form::Tolerances;
 use crate::element::{Element, sigma};
-use crate::engine::{MOST, Sink};
+use crate::engine::Sink;
 use crate::entry;
-use crate::geometry::{Begin, End, Geometry, Meeting, Toward};
+use crate::geometry::{Begin, End, Geometry, Meeting, Part, Toward};
 use crate::imaginary;
 use crate::junction::{self, Junction};
 use crate::path::PathEnd;
 use crate::plane::{Vector, greater, magnitude};
-use crate::rules::{Rules, value};
 use crate::sign::sign;
 use crate::type_b;
 use crate::wedge;
-
-/// What lasts from block to block, but for the look-ahead.
-#[derive(Clone, Debug)]
-pub(crate) struct State {
-    /// What the profile says of junctions, and the outer corner in force. [TRC-CORNER-11]
-    pub rules: Rules,
-    /// What the profile says of the form of arcs.
-    pub tolerances: Tolerances,
-    reversed: ReversedPath,
-    /// The least radius that is in range, in millimetres. [TRC-MODE-07], [TRC-SIDE-07]
-    pub least_radius: f64,
-    /// Programmed end of the last block.
-    pub position: Vector,
-    /// Where the tool's centre stands at the end of what has been emitted.
-    tool: Vector,
-    /// Bounds the coordinates from which moves that hold a vector have carried the tool's centre, and their rounding with
-    /// it; 0: none has since it stood on a vector of its own. [TRC-VEC-04]
-    carried: f64,
-    /// The magnitude of the radius that the program has put in force.
-    pub radius_in_force: f64,
-    /// That radius is negative. [TRC-SIDE-07]
-    pub swapped: bool,
-    /// The direction (unit) of the start-up block's imaginary line; zero: there is none. [TRC-START-11]
-    imaginary: Vector,
-    /// The pending element, when the look-ahead has one, and the element read: they change places instead of being
-    /// copied.
-    elements: [Element; 2],
-    /// The junction at the start of each element. The moves of it that the element owns are part of its block, which
-    /// an alarm may keep from moving; where it owns none, the junction has none any more.
-    junctions: [Junction; 2],
-    /// Which of them is the pending one, 0 or 1.
-    pending: usize,
-}
-
-impl State {
-    /// The state at the start of a program.
-    pub fn new(parameters: &Parameters) -> State {
-        let zero = Vector::new(0.0, 0.0);
-        State {
-            rules: Rules::new(parameters),
-            tolerances: Tolerances {
-                end: value(parameters.arc_end_tolerance),
-                centre: value(parameters.centre_tolerance),
-                chord: value(parameters.chord_tolerance),
-            },
-            reversed: parameters.reversed_path,
-            least_radius: if parameters.negative_radius == NegativeRadius::SwapsSides { -MOST } else { 0.0 },
-            position: zero,
-            tool: zero,
-            carried: 0.0,
-            radius_in_force: 0.0,
-            swapped: false,
-            imaginary: zero,
-            elements: [Element::unused(); 2],
-            junctions: [Junction::unused(); 2],
-            pending: 0,
-        }
-    }
-
-    /// The element read. It is put there as soon as its form has been found sound.
-    #[inline(always)]
-    pub fn next(&mut self) -> &mut Element {
-        let (_, next) = places(self.pending);
-        &mut self.elements[next]
-    }
-}
+use state::Look;
+pub(crate) use state::State;
 
 /// The places of the pending element and of the element read.
 #[inline(always)]
 fn places(pending: usize) -> (usize, usize) {
     // The masks tell the compiler that the places exist.
     (pending & 1, !pending & 1)
+}
+
+/// Where an element that does not hold its vector ends, by which clause, and whether an arc ends on its own normal.
+#[inline(always)]
+fn end_of(element: &Element, behind: &Junction, given: Vector, end: End<Meeting>) -> (Vector, Clause, bool) {
+    match end {
+        End::Junction(_) => (behind.first, behind.clause, behind.ends_on_normal),
+        End::Normal(clause) => (element.end_vector(element.radius), clause, true),
+        End::Vector(side, clause) => (vector::end_of(element, given, side), clause, true),
+        End::Programmed(clause) => (element.end, clause, true),
+        End::Held => (element.end, clause::TRC_VEC_04, true),
+    }
+}
+
+/// The moves of the junction behind an element are its own. [TRC-CORNER-12]
+#[inline(always)]
+fn owns_moves_behind(owner: CornerOwner, behind: &Junction, end: End<Meeting>) -> bool {
+    // The move onto an arc of the new side is the arc's in any case. [TRC-SIDE-06]
+    owner == CornerOwner::Previous && behind.clause != clause::TRC_SIDE_06 && matches!(end, End::Junction(_))
 }
 
 /// The state, with the block read and the sink of the path.
@@ -104,6 +59,8 @@ pub(crate) struct Scene<'a, S> {
     pub block: usize,
     /// It moves at rapid rate.
     pub rapid: bool,
+    /// It is a line or an arc, and no move that holds a vector: it may belong to a row. [TRC-INT-01]
+    pub runs: bool,
     /// The vector that it gives; zero: none.
     pub given: Vector,
 }
@@ -142,7 +99,7 @@ impl<S: Sink> Scene<'_, S> {
 
 impl<S: Sink> Geometry for Scene<'_, S> {
     /// It is [`State::junctions`] that holds it.
-    type Junction = ();
+    type Junction = Meeting;
 
     #[inline(always)]
     fn arc_fault(&mut self, side: Side, joins: bool) -> Option<AlarmKind> {
@@ -163,7 +120,7 @@ impl<S: Sink> Geometry for Scene<'_, S> {
     }
 
     #[inline(always)]
-    fn junction(&mut self, meeting: Meeting, side: Side) -> Result<(), AlarmKind> {
+    fn junction(&mut self, meeting: Meeting, side: Side) -> Result<Meeting, AlarmKind> {
         if meeting == Meeting::CancelLine {
             self.set_imaginary();
         }
@@ -173,7 +130,7 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         let (first, second, junction) = (&elements[first], &elements[second], &mut junctions[second]);
         // Both offset curves and every vector have the value of the element before. [TRC-MODE-11]
         let radius = first.radius;
-        match meeting {
+        let formed = match meeting {
             Meeting::Corner => junction::corner(first, second, radius, rules, junction),
             Meeting::SideChange => junction::change_of_side(first, second, radius, rules, junction),
             Meeting::Cancel => type_b::cancel(first, second, radius, rules, junction),
@@ -192,29 +149,30 @@ impl<S: Sink> Geometry for Scene<'_, S> {
                 junction.set(clause::TRC_START_02, second.start_vector(radius));
                 Ok(())
             }
-        }
+        };
+        formed.map(|()| meeting)
     }
 
     #[inline(always)]
-    fn settle(&mut self, end: End<()>, start_up: bool) -> Result<(), AlarmKind> {
-        let State { elements, junctions, pending, tool, carried, rules, reversed, .. } = &mut *self.state;
+    fn settle(&mut self, end: End<Meeting>, part: Part) -> Result<(), Alarm> {
+        if self.state.look == Look::InRows && part == Part::Contour && end != End::Held {
+            return self.settle_in_row(end);
+        }
+        let State { elements, junctions, pending, tool, carried, rules, look, .. } = &mut *self.state;
         let (pending, next) = places(*pending);
         let (element, start, behind) = (&elements[pending], &junctions[pending], &junctions[next]);
         let tool_before = *tool;
         let from = || start.last().unwrap_or(tool_before);
         let (to, clause, on_normal) = match end {
-            End::Junction(()) => (behind.first, behind.clause, behind.ends_on_normal),
-            End::Normal(clause) => (element.end_vector(element.radius), clause, true),
-            End::Programmed(clause) => (element.end, clause, true),
-            End::Vector(side, clause) => (vector::end_of(element, self.given, side), clause, true),
             End::Held => (element.end + (from() - element.start), clause::TRC_VEC_04, true),
+            _ => end_of(element, behind, self.given, end),
         };
         let degenerate = rules.equal_radius == EqualRadius::DegeneratePoint && element.is_point(element.radius);
         let arc = if degenerate { None } else { element.arc.as_ref() };
         let full = arc.is_some_and(|arc| arc.full) && start.starts_on_normal && on_normal;
-        let looked_at = *reversed == ReversedPath::Alarm && !start_up && !degenerate && end != End::Held;
+        let looked_at = *look == Look::Alone && part != Part::StartUp && !degenerate && end != End::Held;
         if looked_at && let Some(kind) = wedge::reversed(element, from(), to, full) {
-            return Err(kind);
+            return Err(Alarm { block: element.block, kind });
         }
         if end == End::Held {
             *carried = greater(element.scale, magnitude(from()));
@@ -222,25 +180,28 @@ impl<S: Sink> Geometry for Scene<'_, S> {
         let mut path = PathEnd { tool, sink: self.sink, block: element.block, rapid: element.rapid };
         path.corner_moves(start);
         path.own_move(arc, to, full, clause);
-        // The move onto an arc of the new side is the arc's in any case. [TRC-SIDE-06]
-        let previous = rules.owner == CornerOwner::Previous && behind.clause != clause::TRC_SIDE_06;
-        if previous && end == End::Junction(()) {
+        if owns_moves_behind(rules.owner, behind, end) {
             path.corner_moves(behind);
             junctions[next].drop_moves();
         }
         Ok(())
     }
 
-    fn start_moves(&mut self) {
+    fn lose(&mut self) -> Result<(), Alarm> {
+        self.end_row()?;
         let State { elements, junctions, pending, tool, .. } = &mut *self.state;
         let (pending, _) = places(*pending);
         let element = &elements[pending];
         let mut path = PathEnd { tool, sink: self.sink, block: element.block, rapid: element.rapid };
         path.corner_moves(&junctions[pending]);
+        Ok(())
     }
 
     #[inline(always)]
     fn hold(&mut self, block: usize, rapid: bool, clause: Clause) {
+        if self.state.row.holds_back() {
+            return self.state.row.hold(rapid, clause);
+        }
         self.sink.step(Step { block, clause, rapid, main: false, segment: Segment::Hold });
     }
 

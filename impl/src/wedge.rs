@@ -20,8 +20,10 @@ pub(crate) fn reversed(element: &Element, from: Vector, to: Vector, full: bool) 
             (sign(travel, scale) == Ordering::Less).then_some(AlarmKind::ReversedLine)
         }
         Some(_) if full => None,
-        Some(arc) => arc_reversed(arc, element.first_error + element.last_error, from, to, scale)
-            .then_some(AlarmKind::ReversedArc),
+        Some(arc) => {
+            let (difference, _) = sweeps(arc, element.first_error + element.last_error, from, to, scale);
+            (difference == Ordering::Greater).then_some(AlarmKind::ReversedArc)
+        }
     }
 }
 
@@ -45,33 +47,34 @@ impl Sweep {
     }
 }
 
-/// Whether the programmed sweep G in (0°, 360°] and the tool's sweep T in [0°, 360°) differ by more than 180°: a tool that
-/// would run past a full turn takes the short way instead, [TRC-SIDE-08]. `error` is that of the arc's rays together, in units of rounding.
+/// How far the programmed sweep G in (0°, 360°] and the tool's sweep T in [0°, 360°) from `from` to `to` differ, against
+/// 180°, and whether T is 0: a tool that would run past a full turn takes the short way instead, [TRC-SIDE-08]. `error` is
+/// that of the arc's rays together, in units of rounding.
 #[inline]
-fn arc_reversed(arc: &Arc, error: f64, from: Vector, to: Vector, scale: f64) -> bool {
+pub(crate) fn sweeps(arc: &Arc, error: f64, from: Vector, to: Vector, scale: f64) -> (Ordering, bool) {
     let programmed = Sweep::between(arc.swept_from, arc.end_ray, arc.sense, error);
     let (start, end) = (from - arc.centre, to - arc.centre);
     let bound = scale * (magnitude(start) + magnitude(end));
     let tool = Sweep::between(start, end, arc.sense, bound);
     if programmed.half == tool.half && tool.half != Ordering::Equal {
         // Both in one half turn.
-        return false;
+        return (Ordering::Less, false);
     }
     // sin(T - G), of which both lengths are left in the product.
     let difference = programmed.x * tool.y - programmed.y * tool.x;
     let order = sign(difference, bound + (magnitude(start) * magnitude(end)) * error);
     match (programmed.is_closed(), tool.is_closed()) {
         // 360° against 0°.
-        (true, true) => true,
-        (true, false) => tool.half == Ordering::Greater,
-        (false, true) => programmed.half == Ordering::Less,
+        (true, true) => (Ordering::Greater, true),
+        (true, false) => (tool.half, false),
+        (false, true) => (programmed.half.reverse(), true),
         (false, false) => match (programmed.half, tool.half) {
-            // G < 180° < T: reversed when T - G > 180°, its sine negative.
-            (Ordering::Greater, Ordering::Less) => order == Ordering::Less,
-            // T < 180° < G: reversed when G - T > 180°, the sine of T - G positive.
-            (Ordering::Less, Ordering::Greater) => order == Ordering::Greater,
-            // One of them 180° exactly.
-            _ => false,
+            // G < 180° < T: T - G > 180° when its sine is negative.
+            (Ordering::Greater, Ordering::Less) => (order.reverse(), false),
+            // T < 180° < G: G - T > 180° when the sine of T - G is positive.
+            (Ordering::Less, Ordering::Greater) => (order, false),
+            // One of them 180° exactly, neither a whole turn.
+            _ => (Ordering::Less, false),
         },
     }
 }

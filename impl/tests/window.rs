@@ -3,7 +3,7 @@
 mod common;
 
 use common::SEED_MILL;
-use radcomp_impl::geometry::{Begin, End, Event, Geometry, Kind, Meeting, Toward};
+use radcomp_impl::geometry::{Begin, End, Event, Geometry, Kind, Meeting, Part, Toward};
 use radcomp_impl::window::Window;
 use radcomp_spec::parameters::*;
 use radcomp_spec::{Alarm, AlarmKind, Clause, Compensation, Parameters, Side};
@@ -49,18 +49,18 @@ impl Geometry for Watch {
         if self.bad & 2 == 0 { Ok(()) } else { Err(AlarmKind::NoIntersection) }
     }
 
-    fn settle(&mut self, _: End<()>, _: bool) -> Result<(), AlarmKind> {
+    fn settle(&mut self, _: End<()>, _: Part) -> Result<(), Alarm> {
         let pending = self.pending.take().expect("an element is pending");
         assert_eq!(pending, self.next);
         if self.bad & 4 == 0 {
             self.emit(pending);
             Ok(())
         } else {
-            Err(AlarmKind::ReversedLine)
+            Err(Alarm { block: pending, kind: AlarmKind::ReversedLine })
         }
     }
 
-    fn start_moves(&mut self) {
+    fn lose(&mut self) -> Result<(), Alarm> {
         unreachable!("with `ended` no block is lost");
     }
 

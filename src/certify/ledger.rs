@@ -52,7 +52,7 @@ impl Ledger {
         judged: &Judged,
     ) {
         let beta = campaign.budget.beta(blocks);
-        let waiver = campaign.waivers.covering(name, &judged.verdict);
+        let waiver = campaign.waivers.covering(name, judged);
         self.tally.add_waived(blocks, judged, beta, waiver.is_some());
         let Some(case) = report::case(name, blocks, judged, &campaign.budget, beta) else { return };
         if let Some(waiver) = waiver {

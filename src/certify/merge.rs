@@ -15,10 +15,7 @@ use crate::report::{DeviceRecord, GradeRecord, Report, ShardRecord};
 /// What a report's campaign is, by name: reports that differ in none of it are of one campaign.
 pub fn campaign_of(report: &Report) -> Vec<(String, String)> {
     let files = report.device_files.iter().map(|file| format!("{} {}", file.file, file.sha256));
-    let waivers = report.expected_failures.iter().map(|waiver| {
-        let (program, difference) = (waiver.program.as_deref(), waiver.difference.as_deref());
-        format!("{} {program:?} {difference:?} {:?}", waiver.clause.0, waiver.reason)
-    });
+    let waivers = report.expected_failures.iter().map(|waiver| format!("{:?}", Waiver::from(waiver)));
     let list = [
         ("suite version", format!("{} {}", report.radcomp, report.commit)),
         ("device", report.device.clone()),
@@ -77,12 +74,7 @@ pub fn merge(reports: Vec<(String, Report)>) -> Result<(Campaign, Outcome, Repor
 /// The report of a campaign whose head stands in one of its shards' reports.
 fn report(head: Report, ledger: Ledger) -> Result<(Campaign, Outcome, Report), String> {
     let profile = Profile::parse(&head.profile_file, &head.profile).map_err(|error| error.to_string())?;
-    let waivers = head.expected_failures.iter().map(|waiver| Waiver {
-        clause: waiver.clause.0,
-        program: waiver.program.clone(),
-        difference: waiver.difference.clone(),
-        reason: waiver.reason.clone(),
-    });
+    let waivers = head.expected_failures.iter().map(Waiver::from);
     let grade = match head.grade {
         GradeRecord::Binary64 => Grade::Binary64,
         GradeRecord::Resolution => Grade::Resolution,

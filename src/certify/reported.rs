@@ -2,6 +2,7 @@
 
 use super::campaign::{Campaign, Outcome};
 use super::failure::Failure;
+use super::waivers::Waiver;
 use crate::report::{Case, Cause, DeviceRecord, ExpectedFailure, Head, Id, Report};
 
 impl Outcome {
@@ -19,14 +20,28 @@ impl Outcome {
             budget: &campaign.budget,
         };
         let report = Report::new(head, &outcome.tally, causes.collect(), broken.collect(), outcome.cases.clone());
-        let expected = campaign.waivers.0.iter().enumerate().map(|(index, waiver)| ExpectedFailure {
-            clause: Id(waiver.clause),
-            program: waiver.program.clone(),
-            difference: waiver.difference.clone(),
-            reason: waiver.reason.clone(),
-            programs: outcome.expected.get(&index).copied().unwrap_or_default(),
+        let waivers = campaign.waivers.0.iter().enumerate();
+        let expected = waivers.map(|(index, waiver)| {
+            let programs = outcome.expected.get(&index).copied().unwrap_or_default();
+            ExpectedFailure { programs, ..ExpectedFailure::from(waiver) }
         });
         Report { expected_failures: expected.collect(), ..report }
+    }
+}
+
+impl From<&Waiver> for ExpectedFailure {
+    fn from(waiver: &Waiver) -> Self {
+        let Waiver { clause, program, difference, element, rule_alarm, device_alarm, reason } = waiver.clone();
+        let clause = Id(clause);
+        ExpectedFailure { clause, program, difference, element, rule_alarm, device_alarm, reason, programs: 0 }
+    }
+}
+
+impl From<&ExpectedFailure> for Waiver {
+    fn from(expected: &ExpectedFailure) -> Self {
+        let ExpectedFailure { clause, program, difference, element, rule_alarm, device_alarm, reason, .. } =
+            expected.clone();
+        Waiver { clause: clause.0, program, difference, element, rule_alarm, device_alarm, reason }
     }
 }
 

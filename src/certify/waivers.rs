@@ -4,21 +4,25 @@
 //! [[waiver]]
 //! clause = "TRC-CORNER-08"
 //! difference = "end point"             # optional: only this kind of difference
+//! element = "line"                     # optional: only where the rules' first element that differs is such a one
+//! rule-alarm = "none"                  # optional: only where the rules raise this alarm, or none
+//! device-alarm = "reversed-line"       # optional: only where the device raises this alarm, or none
 //! program = "#1234"                    # optional: only this program
 //! reason = "acute corners are rounded off; told to customers in the manual"
 //! ```
 //!
 //! A waiver covers programs whose first divergence lies at its clause. A device that gives no answer has not diverged at any
-//! clause, and a broken relation is of no program alone: neither can be waived.
+//! clause, and a broken relation is of no program alone: neither can be waived. Where the rules' path has ended, the element
+//! that differs is the device's.
 
 use std::{fmt, ops::Range};
 
-use radcomp_spec::{Clause, clause};
+use radcomp_spec::{Alarm, AlarmKind, Clause, clause};
 use serde::Deserialize;
 use toml::Spanned;
 
 use super::failure::kind;
-use crate::judge::Verdict;
+use crate::judge::{Divergence, Judged, Shape, Verdict};
 
 /// One waiver.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,9 +33,20 @@ pub struct Waiver {
     pub program: Option<String>,
     /// The kind of difference, as the name of a cause tells it, if it is for one.
     pub difference: Option<String>,
+    /// The shape of the first element that differs, of [`ELEMENTS`], if it is for one.
+    pub element: Option<String>,
+    /// The alarm of the rules, or [`NO_ALARM`], if it is for one.
+    pub rule_alarm: Option<String>,
+    /// The alarm of the device, or [`NO_ALARM`], if it is for one.
+    pub device_alarm: Option<String>,
     /// Why these failures are accepted.
     pub reason: String,
 }
+
+/// What an element is called.
+const ELEMENTS: [&str; 3] = ["line", "arc", "hold"];
+/// What a path without an alarm ends in.
+const NO_ALARM: &str = "none";
 
 /// Every waiver of a campaign; the first that fits a failure covers it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -54,11 +69,14 @@ struct File {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
 struct Entry {
     clause: Spanned<String>,
     program: Option<String>,
     difference: Option<String>,
+    element: Option<Spanned<String>>,
+    rule_alarm: Option<Spanned<String>>,
+    device_alarm: Option<Spanned<String>>,
     reason: Spanned<String>,
 }
 
@@ -83,21 +101,55 @@ impl Waivers {
             if entry.reason.get_ref().trim().is_empty() {
                 return Err(at(entry.reason.span(), "a waiver needs a reason".to_owned()));
             }
-            let Entry { program, difference, reason, .. } = entry;
-            Ok(Waiver { clause: *clause, program, difference, reason: reason.into_inner() })
+            let word = |word: Option<Spanned<String>>, known: &dyn Fn(&str) -> bool| match word {
+                Some(word) if !known(word.get_ref()) => {
+                    Err(at(word.span(), format!("there is nothing called {:?} here", word.get_ref())))
+                }
+                word => Ok(word.map(Spanned::into_inner)),
+            };
+            let is_element = |word: &str| ELEMENTS.contains(&word);
+            let is_alarm = |word: &str| word == NO_ALARM || AlarmKind::ALL.iter().any(|kind| kind.id() == word);
+            Ok(Waiver {
+                clause: *clause,
+                program: entry.program,
+                difference: entry.difference,
+                element: word(entry.element, &is_element)?,
+                rule_alarm: word(entry.rule_alarm, &is_alarm)?,
+                device_alarm: word(entry.device_alarm, &is_alarm)?,
+                reason: entry.reason.into_inner(),
+            })
         };
         file.waiver.into_iter().map(read).collect::<Result<_, _>>().map(Waivers)
     }
 
-    /// The place of the waiver that covers a program of this name with this verdict.
-    pub fn covering(&self, name: &str, verdict: &Verdict) -> Option<usize> {
-        let (Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence)) = verdict else { return None };
+    /// The place of the waiver that covers a program of this name, judged so.
+    pub fn covering(&self, name: &str, judged: &Judged) -> Option<usize> {
+        let (Verdict::Inadmissible(divergence) | Verdict::ForkLimit(divergence)) = &judged.verdict else { return None };
+        let (rule, device) = (judged.exact.alarm, judged.answer.as_ref().and_then(|answer| answer.alarm));
+        let is = |wanted: &Option<String>, word: &str| wanted.as_ref().is_none_or(|wanted| wanted == word);
         self.0.iter().position(|waiver| {
             waiver.clause == divergence.clause
-                && waiver.program.as_ref().is_none_or(|program| program == name)
-                && waiver.difference.as_ref().is_none_or(|difference| difference == kind(&divergence.difference))
+                && is(&waiver.program, name)
+                && is(&waiver.difference, kind(&divergence.difference))
+                && is(&waiver.element, element(divergence))
+                && is(&waiver.rule_alarm, alarm(rule))
+                && is(&waiver.device_alarm, alarm(device))
         })
     }
+}
+
+/// The shape of the first element that differs; nothing where the paths are the same.
+fn element(divergence: &Divergence) -> &'static str {
+    let stroke = divergence.expected.as_ref().or(divergence.observed.as_ref());
+    stroke.map_or("", |stroke| match stroke.shape {
+        Shape::Line => "line",
+        Shape::Arc { .. } => "arc",
+        Shape::Hold => "hold",
+    })
+}
+
+fn alarm(alarm: Option<Alarm>) -> &'static str {
+    alarm.map_or(NO_ALARM, |alarm| alarm.kind.id())
 }
 
 impl fmt::Display for Waiver {
@@ -106,10 +158,15 @@ impl fmt::Display for Waiver {
         if let Some(difference) = &self.difference {
             write!(f, " {difference}")?;
         }
-        if let Some(program) = &self.program {
-            write!(f, ", program {program}")?;
-        }
-        Ok(())
+        let more = [
+            ("element", &self.element),
+            ("the rules' alarm", &self.rule_alarm),
+            ("the device's alarm", &self.device_alarm),
+            ("program", &self.program),
+        ];
+        more.iter()
+            .filter_map(|(name, word)| Some((name, word.as_ref()?)))
+            .try_for_each(|(name, word)| write!(f, ", {name} {word}"))
     }
 }
 

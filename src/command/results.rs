@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use radcomp::boundary;
-use radcomp::certify::Outcome;
+use radcomp::certify::{Outcome, Waiver};
 use radcomp::generate::Reach;
 use radcomp::report::{Cause, Report, replay};
 use radcomp_spec::profile::Profile;
@@ -46,7 +46,7 @@ pub fn print(
         counterexample(out, cause, file)?;
     }
     counts(out, outcome, profile)?;
-    verdicts(out, outcome, allow_unsupported)
+    verdicts(out, outcome, report, allow_unsupported)
 }
 
 /// The counts by clause and by decision.
@@ -81,7 +81,7 @@ fn counts(out: &mut dyn Write, outcome: &Outcome, profile: &Profile) -> Result<(
 }
 
 /// The counts by verdict, and the last line.
-fn verdicts(out: &mut dyn Write, outcome: &Outcome, allow_unsupported: bool) -> Result<(), Failure> {
+fn verdicts(out: &mut dyn Write, outcome: &Outcome, report: &Report, allow_unsupported: bool) -> Result<(), Failure> {
     writeln!(out)?;
     let tally = &outcome.tally;
     writeln!(out, "{} programs, {} blocks, {} corners", tally.programs, tally.blocks, tally.corners)?;
@@ -107,6 +107,9 @@ fn verdicts(out: &mut dyn Write, outcome: &Outcome, allow_unsupported: bool) -> 
     }
     if tally.counts.expected_failure > 0 {
         writeln!(out, "  of these, expected failures: {} (waived)", tally.counts.expected_failure)?;
+        for waiver in &report.expected_failures {
+            writeln!(out, "    waived, {}: {}: {}", waiver.programs, Waiver::from(waiver), waiver.reason)?;
+        }
     }
     if let Some(share) = tally.needed_share() {
         writeln!(

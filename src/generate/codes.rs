@@ -11,6 +11,23 @@ use super::{Reach, thousandths};
 pub(super) fn with_codes(contour: Contour, dice: &mut Dice, reach: Reach) -> Vec<Block<Rational>> {
     let side = dice.pick(&[Side::Left, Side::Right]);
     let radius = tool_radius(&contour.moves, dice);
+    let mut blocks = lead_in(&contour, side, radius, dice, reach);
+    blocks.extend(contour.moves.iter().map(block));
+    change_codes(&mut blocks, side, radius, dice, reach);
+    if !dice.once_in(12) {
+        lead_out(&mut blocks, contour.end(), side, dice);
+    }
+    blocks
+}
+
+/// Approach and start-up.
+pub(super) fn lead_in(
+    contour: &Contour,
+    side: Side,
+    radius: i64,
+    dice: &mut Dice,
+    reach: Reach,
+) -> Vec<Block<Rational>> {
     let mut blocks = Vec::with_capacity(contour.moves.len() + 8);
     let approach = match &contour.entry {
         Some((from, _)) => *from,
@@ -40,25 +57,22 @@ pub(super) fn with_codes(contour: Contour, dice: &mut Dice, reach: Reach) -> Vec
     if !dice.once_in(30) {
         blocks.push(start_up);
     }
-    for each in &contour.moves {
-        blocks.push(block(each));
-    }
-    change_codes(&mut blocks, side, radius, dice, reach);
-    if !dice.once_in(12) {
-        let last = contour.moves.last().map_or(contour.start, |last| last.end);
-        let away = [last[0] + dice.between(-6, 6) * 700, last[1] + dice.between(-6, 6) * 700];
-        let off = Some(Compensation::Off);
-        if dice.once_in(4) {
-            blocks.push(Block { compensation: off, ..Block::empty() });
-            if dice.once_in(6) {
-                blocks.push(Block { compensation: Some(Compensation::On(side)), ..Block::empty() });
-            }
-            blocks.push(line(away));
-        } else {
-            blocks.push(Block { compensation: off, rapid: dice.once_in(2), ..line(away) });
-        }
-    }
     blocks
+}
+
+/// Cancel, and a move away; now and then a code that takes the cancel back.
+pub(super) fn lead_out(blocks: &mut Vec<Block<Rational>>, end: Whole, side: Side, dice: &mut Dice) {
+    let away = [end[0] + dice.between(-6, 6) * 700, end[1] + dice.between(-6, 6) * 700];
+    let off = Some(Compensation::Off);
+    if dice.once_in(4) {
+        blocks.push(Block { compensation: off, ..Block::empty() });
+        if dice.once_in(6) {
+            blocks.push(Block { compensation: Some(Compensation::On(side)), ..Block::empty() });
+        }
+        blocks.push(line(away));
+    } else {
+        blocks.push(Block { compensation: off, rapid: dice.once_in(2), ..line(away) });
+    }
 }
 
 /// Where the tool comes from: somewhere near, or exactly one radius away where that decides something.
@@ -70,7 +84,7 @@ fn approach(start: Whole, radius: i64, dice: &mut Dice, reach: Reach) -> Whole {
 }
 
 /// A radius that fits exactly as often as not: the size of a move, half of it, or any.
-fn tool_radius(moves: &[Move], dice: &mut Dice) -> i64 {
+pub(super) fn tool_radius(moves: &[Move], dice: &mut Dice) -> i64 {
     let sizes: Vec<i64> = moves.iter().map(|each| each.size.max(1)).collect();
     let size = dice.pick(&sizes);
     match dice.below(8) {
@@ -124,7 +138,7 @@ fn change_codes(blocks: &mut Vec<Block<Rational>>, side: Side, radius: i64, dice
     }
 }
 
-fn line(end: Whole) -> Block<Rational> {
+pub(super) fn line(end: Whole) -> Block<Rational> {
     Block::moving(Movement::Line { end: point(end) })
 }
 
@@ -132,7 +146,7 @@ fn point(whole: Whole) -> [Rational; 2] {
     whole.map(thousandths)
 }
 
-fn block(each: &Move) -> Block<Rational> {
+pub(super) fn block(each: &Move) -> Block<Rational> {
     let end = point(each.end);
     let movement = match each.shape {
         MoveShape::Line => Movement::Line { end },

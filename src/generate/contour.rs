@@ -33,7 +33,7 @@ pub(super) const DIRECTIONS: [(Whole, i64); 8] =
 /// Points of the circle with radius 65 that have whole coordinates, in one eighth; the rest by symmetry.
 const ON_CIRCLE_65: [Whole; 5] = [[65, 0], [63, 16], [60, 25], [56, 33], [52, 39]];
 
-const SCALES: [i64; 7] = [20, 50, 100, 200, 500, 1000, 2000];
+pub(super) const SCALES: [i64; 7] = [20, 50, 100, 200, 500, 1000, 2000];
 
 /// A start point and the moves from there.
 #[derive(Clone, Debug)]
@@ -42,6 +42,13 @@ pub(super) struct Contour {
     pub(super) moves: Vec<Move>,
     /// The arc that leads to its start, and where that begins, if it is one.
     pub(super) entry: Option<(Whole, Move)>,
+}
+
+impl Contour {
+    /// Where it ends.
+    pub(super) fn end(&self) -> Whole {
+        self.moves.last().map_or(self.start, |last| last.end)
+    }
 }
 
 pub(super) fn contour(dice: &mut Dice, reach: Reach) -> Contour {
@@ -57,11 +64,7 @@ pub(super) fn contour(dice: &mut Dice, reach: Reach) -> Contour {
         heading = heading_after(*from, arc);
     }
     for _ in 0..count {
-        let mut next = match dice.below(10) {
-            0..=5 => line(at, heading, scale, dice),
-            6 => radius_arc(at, scale, dice),
-            _ => centre_arc(at, heading, scale, dice),
-        };
+        let mut next = any(at, heading, scale, dice);
         next.rapid = matches!(next.shape, MoveShape::Line) && dice.once_in(8);
         heading = heading_after(at, &next);
         at = next.end;
@@ -70,13 +73,27 @@ pub(super) fn contour(dice: &mut Dice, reach: Reach) -> Contour {
     Contour { start, moves, entry }
 }
 
+/// A line or an arc.
+pub(super) fn any(at: Whole, heading: Whole, scale: i64, dice: &mut Dice) -> Move {
+    match dice.below(10) {
+        0..=5 => line(at, heading, scale, dice),
+        6 => radius_arc(at, scale, dice),
+        _ => centre_arc(at, heading, scale, dice),
+    }
+}
+
+/// An arc, given by its radius or its centre.
+pub(super) fn arc(at: Whole, heading: Whole, scale: i64, dice: &mut Dice) -> Move {
+    if dice.once_in(4) { radius_arc(at, scale, dice) } else { centre_arc(at, heading, scale, dice) }
+}
+
 /// A direction in one of the eight symmetric positions.
 pub(super) fn symmetric(vector: Whole, dice: &mut Dice) -> Whole {
     let [a, b] = if dice.once_in(2) { vector } else { [vector[1], vector[0]] };
     [if dice.once_in(2) { a } else { -a }, if dice.once_in(2) { b } else { -b }]
 }
 
-fn line(at: Whole, heading: Whole, scale: i64, dice: &mut Dice) -> Move {
+pub(super) fn line(at: Whole, heading: Whole, scale: i64, dice: &mut Dice) -> Move {
     let (vector, length) = match dice.below(11) {
         // On along the tangent, at right angles, back, and by 45°.
         0 => (heading, 0),
@@ -112,7 +129,7 @@ fn aside(heading: Whole, scale: i64, dice: &mut Dice) -> Whole {
 }
 
 /// An arc that ends at a point, and where it starts.
-fn entry(start: Whole, scale: i64, dice: &mut Dice) -> (Whole, Move) {
+pub(super) fn entry(start: Whole, scale: i64, dice: &mut Dice) -> (Whole, Move) {
     let direction = dice.pick(&[Direction::Clockwise, Direction::Counterclockwise]);
     let times = (scale * dice.between(1, 4) / 25).max(1);
     let [to_start, to_end] = [0, 0].map(|_| {
@@ -194,7 +211,7 @@ fn radius_arc(at: Whole, scale: i64, dice: &mut Dice) -> Move {
 }
 
 /// A whole vector along the direction of travel at the end of a move; for R arcs any.
-fn heading_after(at: Whole, done: &Move) -> Whole {
+pub(super) fn heading_after(at: Whole, done: &Move) -> Whole {
     match done.shape {
         MoveShape::Line => [done.end[0] - at[0], done.end[1] - at[1]],
         MoveShape::Radius { .. } => [done.end[1] - at[1], at[0] - done.end[0]],

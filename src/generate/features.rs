@@ -6,12 +6,12 @@ use rug::Rational;
 use super::dice::Dice;
 use super::{Reach, thousandths};
 
-/// Puts blocks without movement and dummy blocks between the moves.
-pub(super) fn decorate(blocks: &mut Vec<Block<Rational>>, dice: &mut Dice, reach: Reach) {
+/// Puts blocks without movement and dummy blocks before one block in so many.
+pub(super) fn decorate(blocks: &mut Vec<Block<Rational>>, one_in: usize, dice: &mut Dice, reach: Reach) {
     let plain = std::mem::take(blocks);
     let mut position = [Rational::new(), Rational::new()];
     for block in plain {
-        if !blocks.is_empty() && dice.once_in(5) {
+        if !blocks.is_empty() && dice.once_in(one_in) {
             // Most runs are at the limit or one past it.
             let run = match reach.non_moving_allowed().map(i64::from) {
                 Some(allowed) => dice.pick(&[1, allowed, allowed, allowed + 1, allowed + 2]),

@@ -2,12 +2,15 @@
 //!
 //! Directions are axis-parallel, diagonal and Pythagorean, arcs have rational centres and ends exactly on them, tools
 //! fit exactly as often as not, and every program comes three times: as made, and with one number moved by one least
-//! increment down and up. One seed gives the same programs on every machine, each one independent of the others.
+//! increment down and up. One seed gives the same programs on every machine, each one independent of the others. Half of
+//! them show a single feature ([`Shape`]).
 
 mod codes;
 mod contour;
 mod dice;
 mod features;
+mod shape;
+mod single;
 mod vectors;
 
 use radcomp_spec::parameters::{
@@ -19,6 +22,7 @@ use radcomp_spec::{AlarmKind, Block, OuterCorner, Parameters};
 use rug::Rational;
 
 use dice::Dice;
+pub use shape::Shape;
 
 /// What a profile lets programs hold, and what makes its own rules speak.
 #[derive(Clone, Copy, Debug)]
@@ -142,19 +146,28 @@ impl Reach {
     }
 }
 
-/// The program with this number in the sequence of a seed; about ten blocks.
+/// The program with this number in the sequence of a seed; about five blocks with a single feature, or ten.
 pub fn program(seed: u64, number: u64, reach: Reach) -> Vec<Block<Rational>> {
     // Three programs in a row share what they are made of.
     let mut dice = Dice::new(seed, number / 3);
-    let contour = contour::contour(&mut dice, reach);
-    let mut blocks = codes::with_codes(contour, &mut dice, reach);
-    vectors::give(&mut blocks, &mut dice, reach);
-    features::decorate(&mut blocks, &mut dice, reach);
+    let mut blocks = match Shape::of(number) {
+        Shape::WholeProgram => whole(&mut dice, reach),
+        shape => single::program(shape, &mut dice, reach),
+    };
     match number % 3 {
         0 => {}
         1 => features::nudge(&mut blocks, &mut dice, -1),
         _ => features::nudge(&mut blocks, &mut dice, 1),
     }
+    blocks
+}
+
+/// A program with everything that the profile has words for.
+fn whole(dice: &mut Dice, reach: Reach) -> Vec<Block<Rational>> {
+    let contour = contour::contour(dice, reach);
+    let mut blocks = codes::with_codes(contour, dice, reach);
+    vectors::give(&mut blocks, dice, reach);
+    features::decorate(&mut blocks, 5, dice, reach);
     blocks
 }
 

@@ -19,8 +19,33 @@ pub struct Divergence {
     pub expected: Option<Stroke>,
     /// The element in the device's answer, if there is one.
     pub observed: Option<Stroke>,
-    /// The outcome's path element from which on nothing can bring the two together again.
+    /// What of the outcome has a part in it.
+    pub(crate) parting: Parting,
+}
+
+/// Where an answer parts from an outcome, in path elements of the outcome.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Parting {
+    /// Those before it, in their order, that the answer has too, and could not have forgotten.
+    pub(crate) agreed: Vec<usize>,
+    /// The one that has to change, or one before it.
     pub(crate) settled: usize,
+    /// The block whose end lies elsewhere in the answer, which goes on behind it: only what moves that end, or stops the
+    /// path before, could bring the two together, and the answer does not stop there.
+    pub(crate) vector: Option<usize>,
+}
+
+impl Parting {
+    /// An answer that every decision may have a part in.
+    pub(crate) fn anywhere() -> Parting {
+        Parting { agreed: Vec::new(), settled: usize::MAX, vector: None }
+    }
+
+    /// The last path element before this one that the answer has too.
+    pub(crate) fn agreed_before(&self, element: usize) -> Option<usize> {
+        let count = self.agreed.partition_point(|agreed| *agreed < element);
+        count.checked_sub(1).map(|last| self.agreed[last])
+    }
 }
 
 /// What differs.
@@ -53,9 +78,13 @@ pub(crate) fn divergence(run: &Run, answer: &Answer, tolerance: Tolerance) -> Op
     }
     let expected = strokes(&Answer::from(run).steps, tolerance, true);
     let observed = strokes(&answer.steps, tolerance, true);
-    if let Some(divergence) = first_difference(&expected, &observed, tolerance, true) {
-        return Some(divergence);
-    }
+    let agreed = match first_difference(&expected, &observed, tolerance, true) {
+        Ok(agreed) => agreed,
+        Err(mut divergence) => {
+            divergence.parting.settled = divergence.expected.map_or(usize::MAX, |here| last_of(run, here.block));
+            return Some(*divergence);
+        }
+    };
     if run.alarm != answer.alarm {
         let alarm = run.alarm.or(answer.alarm)?;
         return Some(Divergence {
@@ -64,7 +93,7 @@ pub(crate) fn divergence(run: &Run, answer: &Answer, tolerance: Tolerance) -> Op
             difference: Difference::Alarm(run.alarm, answer.alarm),
             expected: None,
             observed: None,
-            settled: usize::MAX,
+            parting: Parting { agreed, settled: usize::MAX, vector: None },
         });
     }
     None
@@ -79,16 +108,18 @@ pub(crate) fn path_difference(
     blocks: bool,
 ) -> Option<String> {
     let (expected, observed) = (strokes(expected, tolerance, blocks), strokes(observed, tolerance, blocks));
-    let divergence = first_difference(&expected, &observed, tolerance, blocks)?;
+    let divergence = first_difference(&expected, &observed, tolerance, blocks).err()?;
     Some(format!("{} at block {}: {:?}", divergence.clause, divergence.block + 1, divergence.difference))
 }
 
+/// The path elements that two paths have in common, as in [`Parting::agreed`], or where they part.
 fn first_difference(
     expected: &[Stroke],
     observed: &[Stroke],
     tolerance: Tolerance,
     blocks: bool,
-) -> Option<Divergence> {
+) -> Result<Vec<usize>, Box<Divergence>> {
+    let mut agreed = Vec::new();
     let (mut i, mut j) = (0, 0);
     // Where both stood when they last agreed.
     let (mut here_at, mut there_at) = ([0.0, 0.0], [0.0, 0.0]);
@@ -97,6 +128,11 @@ fn first_difference(
         let Some(difference) = differ(here, there, tolerance, blocks) else {
             (here_at, there_at) =
                 (here.map_or(here_at, |stroke| stroke.to), there.map_or(there_at, |stroke| stroke.to));
+            if let (Some(here), Some(there)) = (here, there)
+                && !is_short(there, there.from, tolerance)
+            {
+                agreed.push(here.step);
+            }
             (i, j) = (i + 1, j + 1);
             continue;
         };
@@ -109,21 +145,36 @@ fn first_difference(
             j += 1;
             continue;
         }
-        let place = here.or(there)?;
-        let next = expected[(i + 1).min(expected.len())..]
-            .iter()
-            .find(|stroke| !is_short(stroke, stroke.from, tolerance))
-            .filter(|_| here.is_some());
-        return Some(Divergence {
+        let Some(place) = here.or(there) else { break };
+        let vector = here.map(|stroke| stroke.block);
+        let vector = vector.filter(|block| ends_elsewhere(*block, expected, observed, tolerance));
+        return Err(Box::new(Divergence {
             block: place.block,
             clause: place.clause,
             difference,
             expected: here.copied(),
             observed: there.copied(),
-            settled: next.map_or(usize::MAX, |stroke| stroke.step),
-        });
+            parting: Parting { agreed, settled: usize::MAX, vector },
+        }));
     }
-    None
+    Ok(agreed)
+}
+
+/// The last path element of a block: those of one block are settled together, before any decision on what is behind.
+fn last_of(run: &Run, block: usize) -> usize {
+    run.steps.iter().rposition(|step| step.block == block).unwrap_or(usize::MAX)
+}
+
+/// How many times δ the ends of a block lie from each other that no short moves explain.
+const ELSEWHERE: f64 = 8.0;
+
+/// Whether both paths have moves of a block, the answer has others behind, and the block ends at two places.
+fn ends_elsewhere(block: usize, expected: &[Stroke], observed: &[Stroke], tolerance: Tolerance) -> bool {
+    let last = |strokes: &[Stroke]| strokes.iter().rposition(|stroke| stroke.block == block);
+    let (Some(here), Some(there)) = (last(expected), last(observed)) else { return false };
+    let mut behind = observed[there + 1..].iter();
+    distance(expected[here].to, observed[there].to) > ELSEWHERE * tolerance.delta
+        && behind.any(|stroke| stroke.block > block && !is_short(stroke, stroke.from, tolerance))
 }
 
 fn differ(
@@ -190,6 +241,6 @@ fn not_finite(answer: &Answer) -> Option<Divergence> {
         difference: Difference::NotFinite,
         expected: None,
         observed: None,
-        settled: 0,
+        parting: Parting { agreed: Vec::new(), settled: 0, vector: None },
     })
 }

@@ -3,16 +3,24 @@
 //! A decision is inside the band if an input within β takes its margin to the other sign, or to zero; an interval
 //! that holds every value of the margin's expression at such inputs ([`radcomp_model::number::Real::reach`]) tells which
 //! are not. Another input may choose another expression, the longer of two lengths for the shorter; what is chosen so
-//! scales a margin and does not change its sign. A decision that is taken after the answer has parted from an outcome
-//! for good cannot bring the two together, and is not answered otherwise.
+//! scales a margin and does not change its sign.
+//!
+//! A decision that is taken after the answer has parted from an outcome for good cannot bring the two together, and is not
+//! answered otherwise. Nor is one whose influence ([`Influence`]) has ended where the two still agree, and whose
+//! influence meets that of no decision that could: whatever outcome is the answer with it answered otherwise, the one with
+//! its exact answer and all else alike is the answer too.
 
 use std::cmp::Ordering;
 use std::collections::VecDeque;
+use std::ops::Range;
 
 use radcomp_model::number::{Real, within_bits};
 use radcomp_model::{Decision, Engine, Run, Sink, Stop};
 use radcomp_spec::{Advisory, Block, DecisionKind, Parameters, Step};
 use rug::Rational;
+
+use super::compare::Parting;
+use super::influence::Influence;
 
 /// The most outcomes that are looked at for one program.
 pub(crate) const MOST_FORKS: usize = 64;
@@ -36,8 +44,8 @@ pub struct Flip {
 pub(crate) enum Reception {
     /// It is the one that was looked for.
     Accepted,
-    /// It is not. Decisions taken when more path elements than these stood fast cannot change that.
-    Refused(usize),
+    /// It is not: where they part.
+    Refused(Parting),
 }
 
 /// The most bits that the sign of one number may take in a search; the reference has no such bound.
@@ -56,19 +64,20 @@ pub(crate) fn find(
 ) -> Result<Vec<Flip>, Exhausted> {
     let traced = Band { beta, traced: true };
     let near = match search(parameters, blocks, Band { beta, traced: false }, |branch| match receive(&branch.run) {
-        Reception::Accepted if !branch.is_reachable(parameters, blocks, traced) => Reception::Refused(usize::MAX),
+        Reception::Accepted if !branch.is_reachable(parameters, blocks, traced) => {
+            Reception::Refused(Parting::anywhere())
+        }
         reception => reception,
     }) {
         Err(near) => near,
         found => return found,
     };
     let Some(base) = Branch::run(parameters, blocks, traced, &[]) else { return Err(near) };
-    let useful = match receive(&base.run) {
-        Reception::Accepted => usize::MAX,
-        Reception::Refused(useful) => useful,
+    let parting = match receive(&base.run) {
+        Reception::Accepted => Parting::anywhere(),
+        Reception::Refused(parting) => parting,
     };
-    let wide = |choice: &Choice| choice.elements <= useful && !choice.is_near;
-    if !base.choices.iter().any(wide) {
+    if base.choices[base.useful(parameters, blocks, &parting)].iter().all(|choice| choice.is_near) {
         return Err(near);
     }
     search(parameters, blocks, traced, |branch| receive(&branch.run))
@@ -89,20 +98,17 @@ fn search(
             limit_hit = true;
             continue;
         };
-        let useful = if branch.run.contradiction {
+        let parting = if branch.run.contradiction {
             dead_end = true;
-            usize::MAX
+            Parting::anywhere()
         } else {
             match receive(&branch) {
                 Reception::Accepted => return Ok(branch.flips.into_iter().map(|(_, flip)| flip).collect()),
-                Reception::Refused(useful) => useful,
+                Reception::Refused(parting) => parting,
             }
         };
-        for (position, choice) in branch.choices.iter().enumerate().skip(script.len()) {
-            if choice.elements > useful {
-                break;
-            }
-            for answer in choice.others() {
+        for position in branch.useful(parameters, blocks, &parting).filter(|position| *position >= script.len()) {
+            for answer in branch.choices[position].others() {
                 let mut longer: Vec<_> = branch.choices[..position].iter().map(|choice| choice.taken).collect();
                 longer.push(answer);
                 scripts.push_back(longer);
@@ -125,6 +131,8 @@ pub(crate) struct Exhausted {
 struct Choice {
     /// How many path elements stood fast when it was taken.
     elements: usize,
+    /// The block that was being read.
+    reading: usize,
     taken: Ordering,
     exact: Ordering,
     /// Where the margin may go.
@@ -148,6 +156,12 @@ fn reaches((low, high): (f64, f64), answer: Ordering) -> bool {
         Ordering::Equal => low <= 0.0 && high >= 0.0,
         Ordering::Greater => high > 0.0,
     }
+}
+
+/// Whether the margin of a decision is a length, which no input makes negative.
+fn is_a_length(kind: DecisionKind) -> bool {
+    use DecisionKind::{CentreDistance, CentresApart, Moves, WholeTurn};
+    matches!(kind, Moves | CentreDistance | WholeTurn | CentresApart)
 }
 
 /// Which decisions are answered otherwise.
@@ -176,6 +190,8 @@ struct Branch<'a> {
     answers: Answers<'a>,
     /// How many decisions have been taken.
     taken: usize,
+    /// The block that is being read.
+    reading: usize,
     run: Run,
     choices: Vec<Choice>,
     /// The decisions answered otherwise, with their numbers.
@@ -210,10 +226,14 @@ impl<'a> Branch<'a> {
 
     fn follow(mut engine: Engine, blocks: &[Block<Rational>], band: Band, answers: Answers<'a>) -> Self {
         let mut branch =
-            Branch { band, answers, taken: 0, run: Run::default(), choices: Vec::new(), flips: Vec::new() };
+            Branch { band, answers, taken: 0, reading: 0, run: Run::default(), choices: Vec::new(), flips: Vec::new() };
         let ended = blocks
             .iter()
-            .try_for_each(|block| engine.push(block, &mut branch))
+            .enumerate()
+            .try_for_each(|(index, block)| {
+                branch.reading = index;
+                engine.push(block, &mut branch)
+            })
             .and_then(|()| engine.finish(&mut branch));
         match ended {
             Ok(()) => {}
@@ -221,6 +241,26 @@ impl<'a> Branch<'a> {
             Err(Stop::Contradiction) => branch.run.contradiction = true,
         }
         branch
+    }
+
+    /// The decisions inside the band that could bring an answer together with the outcome: from the first to the last one
+    /// whose influence meets the place where they part, or meets that of such a one.
+    fn useful(&self, parameters: &Parameters, blocks: &[Block<Rational>], parting: &Parting) -> Range<usize> {
+        let last = self.choices.partition_point(|choice| choice.elements <= parting.settled);
+        let influence = Influence::on(parameters, &self.run.steps, blocks);
+        let spared = |choice: &Choice| parting.vector.is_some_and(|end| influence.spares_end_of(end, choice.reading));
+        let mut first = last;
+        // What another answer to the useful ones may change comes after this path element.
+        let mut agreed = parting.agreed_before(usize::MAX);
+        while let Some(choice) = first.checked_sub(1).map(|before| &self.choices[before]) {
+            let ends = influence.end(choice.reading).zip(agreed).is_some_and(|(end, agreed)| end <= agreed);
+            if ends || (first == last && spared(choice)) {
+                break;
+            }
+            agreed = agreed.and(parting.agreed_before(choice.elements)).min(agreed);
+            first -= 1;
+        }
+        first..last
     }
 }
 
@@ -241,9 +281,13 @@ impl Sink for Branch<'_> {
         }
         let exact = decision.exact;
         let near = self.band.near(&decision.margin);
-        let reach = if self.band.traced { decision.margin.reach(self.band.beta) } else { near };
+        let mut reach = if self.band.traced { decision.margin.reach(self.band.beta) } else { near };
+        if is_a_length(decision.kind) {
+            reach.0 = reach.0.max(0.0);
+        }
         let is_near = near.0 <= 0.0 && near.1 >= 0.0;
-        let choice = Choice { elements: self.run.steps.len(), taken: exact, exact, reach, is_near };
+        let (elements, reading) = (self.run.steps.len(), self.reading);
+        let choice = Choice { elements, reading, taken: exact, exact, reach, is_near };
         if choice.others().next().is_none() {
             return exact;
         }

@@ -8,6 +8,7 @@
 mod budget;
 mod compare;
 mod fork;
+mod influence;
 mod stroke;
 mod verdict;
 mod witness;

@@ -115,7 +115,7 @@ fn measure(
     }
     let receive = |run: &Run| match search.divergence(run) {
         None => Reception::Accepted,
-        Some(divergence) => Reception::Refused(divergence.settled),
+        Some(divergence) => Reception::Refused(divergence.parting),
     };
     match fork::find(parameters, blocks, beta, receive) {
         Ok(flips) => match search.for_flips(&flips) {

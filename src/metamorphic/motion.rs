@@ -107,6 +107,8 @@ impl Motion {
         let mut scaled = *parameters;
         scaled.arc_end_tolerance.numerator *= self.scale;
         scaled.small_vector_limit.numerator *= self.scale;
+        scaled.chord_tolerance.numerator *= self.scale;
+        scaled.centre_tolerance.numerator *= self.scale;
         Some(scaled)
     }
 

@@ -138,6 +138,15 @@ pub struct ExpectedFailure {
     /// The kind of difference, if the waiver is for one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub difference: Option<String>,
+    /// The shape of the first element that differs, if the waiver is for one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub element: Option<String>,
+    /// The alarm of the rules, or `none`, if the waiver is for one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rule_alarm: Option<String>,
+    /// The alarm of the device, or `none`, if the waiver is for one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub device_alarm: Option<String>,
     /// Why these failures are accepted.
     pub reason: String,
     /// How many programs.

@@ -126,7 +126,7 @@ fn each_difference_is_what_the_document_says() {
         expect("the alarm of rs274", format!("{:?}", alarm(answer.alarm)), format!("{:?}", difference.rs274_alarm));
         let judged = judge_answer(Ok(answer), &profile().parameters, &blocks, &budget);
         expect("the cause", group(&judged.verdict), difference.cause.clone());
-        let covered = waivers.covering("", &judged.verdict).is_some();
+        let covered = waivers.covering("", &judged).is_some();
         expect("whether a waiver covers it", covered.to_string(), "true".to_owned());
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

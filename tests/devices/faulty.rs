@@ -4,6 +4,7 @@ use radcomp::certify::Outcome;
 use radcomp::device::Builtin;
 use radcomp::device::pipe::Pipe;
 
+use super::smallest::Sizes;
 use super::{RADCOMP, campaign, campaign_on, hasty, limits, profile, repository};
 
 /// The first programs of level 1 are enough to find each fault.
@@ -120,4 +121,23 @@ fn two_answers_to_one_request() {
 #[test]
 fn messages_among_the_answers() {
     is_found_alone("chatter", "garbled");
+}
+
+#[test]
+fn causes_are_told_by_small_programs() {
+    let mut sizes = Sizes::default();
+    let ten = [
+        "wrong-side",
+        "mitre-without-limit",
+        "negative-radius",
+        "lost-on-z-only",
+        "short-look-ahead",
+        "drift",
+        "nan",
+        "hang",
+        "crash",
+        "other-id",
+    ];
+    ten.into_iter().for_each(|fault| sizes.add(fault, &outcome(fault)));
+    sizes.are_small();
 }

@@ -102,10 +102,10 @@
 #define RADCOMP_NAME 48
 
 // As many bytes as the memory of a state has to have, at any address.
-#define RADCOMP_STATE_SIZE 4096
+#define RADCOMP_STATE_SIZE 8192
 
 // The most elements that one call of `radcomp_push` or `radcomp_finish` gives.
-#define RADCOMP_MOST_STEPS 32
+#define RADCOMP_MOST_STEPS 128
 
 // The compensation of one program. It lies in the memory that `radcomp_new` was given, and needs no end.
 typedef struct radcomp_state radcomp_state;

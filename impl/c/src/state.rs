@@ -27,10 +27,10 @@ impl radcomp_state {
 }
 
 /// As many bytes as the memory of a state has to have, at any address.
-pub const RADCOMP_STATE_SIZE: usize = 4096;
+pub const RADCOMP_STATE_SIZE: usize = 8192;
 
 /// The most elements that one call of `radcomp_push` or `radcomp_finish` gives.
-pub const RADCOMP_MOST_STEPS: usize = 32;
+pub const RADCOMP_MOST_STEPS: usize = 128;
 
 /// What a state begins with.
 const MARK: u64 = 0x7261_6463_6f6d_7031;

@@ -4,7 +4,7 @@ use radcomp_spec::parameters::{PendingAtAlarm, SideChange, SideChangeAfterStartU
 use radcomp_spec::{Alarm, AlarmKind, Clause, Side, clause};
 
 use super::{Mode, Pending, Start, Window};
-use crate::geometry::{End, Event, Geometry, Meeting};
+use crate::geometry::{End, Event, Geometry, Meeting, Part};
 use crate::held::Held;
 
 impl Window {
@@ -17,9 +17,7 @@ impl Window {
     pub(super) fn fault<G: Geometry>(&mut self, block: usize, kind: AlarmKind, geometry: &mut G) -> Result<(), Alarm> {
         // Where something pends and no side is asked for, it is this block's G40 that has ended it.
         if self.policy.at_alarm == PendingAtAlarm::Lost && self.asked.is_some() {
-            if let Some(pending) = self.pending {
-                self.lose_in_alarm(pending, geometry);
-            }
+            self.lose_in_alarm(self.pending, geometry)?;
             return Err(Alarm { block, kind });
         }
         self.release(geometry);
@@ -30,10 +28,11 @@ impl Window {
     /// Makes what an element that is lost in an alarm owns of the junction before it; only one behind another owns any.
     /// [TRC-MODE-10]
     #[cold]
-    fn lose_in_alarm<G: Geometry>(&self, pending: Pending, geometry: &mut G) {
-        if self.policy.at_alarm == PendingAtAlarm::Lost && pending.start == Start::No {
-            geometry.start_moves();
+    fn lose_in_alarm<G: Geometry>(&self, pending: Option<Pending>, geometry: &mut G) -> Result<(), Alarm> {
+        if self.policy.at_alarm == PendingAtAlarm::Lost && pending.is_some_and(|pending| pending.start == Start::No) {
+            geometry.lose()?;
         }
+        Ok(())
     }
 
     /// Ends the program. [TRC-MODE-04]
@@ -180,10 +179,17 @@ impl Window {
         geometry: &mut G,
     ) -> Result<(), Alarm> {
         if let Some(pending) = self.pending.take() {
-            let start_up = matches!(pending.start, Start::Block | Start::Entry | Start::Shift);
-            if let Err(kind) = geometry.settle(end, start_up) {
-                self.lose_in_alarm(pending, geometry);
-                return Err(Alarm { block: pending.block, kind });
+            let part = match pending.start {
+                Start::No | Start::CornerArc => Part::Contour,
+                Start::EntryArc => Part::EntryArc,
+                Start::Block | Start::Entry | Start::Shift => Part::StartUp,
+            };
+            if let Err(alarm) = geometry.settle(end, part) {
+                // A block whose vectors interfere makes no move. [TRC-INT-03]
+                if alarm.kind != AlarmKind::Interference {
+                    self.lose_in_alarm(Some(pending), geometry)?;
+                }
+                return Err(alarm);
             }
             if self.held.count() > 0 {
                 self.emit_held(pending.block, held, geometry);

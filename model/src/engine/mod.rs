@@ -210,10 +210,10 @@ impl Engine {
     /// before its own.
     fn alarm(&mut self, block: usize, kind: AlarmKind, judgement: &mut Judgement<'_>) -> Answer {
         let lost = self.parameters.pending_at_alarm == PendingAtAlarm::Lost && !self.reading_cancel;
-        if lost && let Some(pending) = self.pending.take() {
+        if lost {
             let left_out = self.rows.end(judgement)?;
-            let LeadIn { clause, moves, .. } = pending.lead_in;
-            if !left_out {
+            if let Some(pending) = self.pending.take().filter(|_| !left_out) {
+                let LeadIn { clause, moves, .. } = pending.lead_in;
                 self.corner_moves(clause, moves, pending.block, pending.rapid, judgement);
             }
             return Err(Stop::Alarm(Alarm { block, kind }));

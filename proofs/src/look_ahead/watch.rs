@@ -1,6 +1,6 @@
 //! Stands in for the geometry: answers as it is told, and watches what it is asked to emit and in which order.
 
-use radcomp_impl::geometry::{Begin, End, Event, Geometry, Kind, Meeting, Toward};
+use radcomp_impl::geometry::{Begin, End, Event, Geometry, Kind, Meeting, Part, Toward};
 use radcomp_spec::parameters::{PendingAtAlarm, StartUpLost};
 use radcomp_spec::{Alarm, AlarmKind, Clause, Compensation, Parameters, Side, clause};
 
@@ -196,11 +196,15 @@ impl<C: Choice> Geometry for Answers<'_, C> {
         if self.watch.now.formed { Ok(()) } else { Err(AlarmKind::NoIntersection) }
     }
 
-    fn settle(&mut self, end: End<()>, start_up: bool) -> Result<(), AlarmKind> {
+    fn settle(&mut self, end: End<()>, part: Part) -> Result<(), Alarm> {
         let pending = self.watch.pending.take().expect("an element is pending");
         let starts = pending.starts_up();
-        let start_up_block = starts || pending.begin == Begin::Shift || pending.entry == Some(Kind::Line);
-        assert!(start_up == start_up_block, "a start-up block is settled as one");
+        let right = match (pending.begin, pending.entry) {
+            (Begin::StartUp, Some(Kind::Arc)) => Part::EntryArc,
+            (Begin::StartUp | Begin::Shift, _) => Part::StartUp,
+            (Begin::Junction | Begin::Settled, _) => Part::Contour,
+        };
+        assert!(part == right, "an element is settled as what it was begun");
         let formed = std::mem::take(&mut self.watch.now.formed);
         match end {
             End::Junction(()) => assert!(formed, "an element ends at the junction just formed"),
@@ -233,17 +237,18 @@ impl<C: Choice> Geometry for Answers<'_, C> {
         } else {
             reached!(self.choice, "an alarm at the pending block");
             self.watch.now.reversed = true;
-            Err(AlarmKind::ReversedLine)
+            Err(Alarm { block: pending.block, kind: AlarmKind::ReversedLine })
         }
     }
 
-    fn start_moves(&mut self) {
+    fn lose(&mut self) -> Result<(), Alarm> {
         reached!(self.choice, "corner moves of a block that is lost");
         assert!(self.watch.lost, "a block is lost where the parameter says so");
         let owner = self.watch.pending.map(|pending| pending.begin);
         let owns = owner.map_or(self.watch.now.reversed, |begin| matches!(begin, Begin::Junction | Begin::Settled));
         assert!(owns && !self.watch.now.over, "corner moves belong to the element that is lost");
         self.watch.now.over = true;
+        Ok(())
     }
 
     fn hold(&mut self, block: usize, rapid: bool, _: Clause) {

@@ -67,6 +67,8 @@ impl Transcript {
         if let Some(message) = &self.error {
             let read = self.read.ok_or_else(|| DeviceFault::Garbled(format!("rs274 says: {message}")))?;
             self.answer.alarm = Some(alarm(message, read, &self.places)?);
+            // The block that is refused has set its feed before.
+            self.answer.steps.retain(|step| step.segment != Segment::Hold || step.block != read);
         }
         Ok(self.answer)
     }

@@ -16,7 +16,7 @@ use crate::device::DeviceFault;
 /// What an answer to a program is read with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Place {
-    /// The block moves in the plane.
+    /// The block moves in the plane, or leads the tool back to where it is programmed ([TRC-CANCEL-03]).
     pub moves: bool,
     /// It is an arc.
     pub arc: bool,
@@ -45,7 +45,13 @@ pub(super) fn program(id: &str, plane: Plane, blocks: &[Block<Rational>]) -> Res
     };
     // What an error has left behind ends here; the tool starts at the origin, without compensation.
     let mut text = format!("m2\ng21 {code} g90 g40 g64\ng0 x0 y0 z0\n(print,{BEGIN}{id})\n");
-    let mut state = State { at: [Rational::new(), Rational::new()], radius: Rational::new(), side: None };
+    let mut state = State {
+        at: [Rational::new(), Rational::new()],
+        radius: Rational::new(),
+        side: None,
+        started: false,
+        off_contour: false,
+    };
     let mut places = Vec::with_capacity(blocks.len());
     for (index, block) in blocks.iter().enumerate() {
         let number = index + 1;
@@ -69,8 +75,8 @@ pub(super) fn program(id: &str, plane: Plane, blocks: &[Block<Rational>]) -> Res
             Movement::Line { end } => {
                 text.push_str(if block.rapid { " g0" } else { " g1" });
                 text.push_str(&point(end)?);
-                place.moves = *end != state.at;
-                state.at.clone_from(end);
+                place.moves = *end != state.at || state.off_contour;
+                state.move_to(end);
             }
             Movement::Arc { end, centre, direction } => {
                 text.push_str(if *direction == Direction::Clockwise { " g2" } else { " g3" });
@@ -84,7 +90,7 @@ pub(super) fn program(id: &str, plane: Plane, blocks: &[Block<Rational>]) -> Res
                     }
                 }
                 place = Place { moves: true, arc: true, whole_turn: *end == state.at, ..place };
-                state.at.clone_from(end);
+                state.move_to(end);
             }
         }
         let _ = writeln!(text, " f{number}");
@@ -100,9 +106,19 @@ struct State {
     radius: Rational,
     /// The tool's side; none without compensation.
     side: Option<Side>,
+    /// A block has moved with compensation on.
+    started: bool,
+    /// Compensation has been cancelled, and no block has moved since.
+    off_contour: bool,
 }
 
 impl State {
+    fn move_to(&mut self, end: &[Rational; 2]) {
+        self.at.clone_from(end);
+        self.started = self.side.is_some();
+        self.off_contour = false;
+    }
+
     fn codes(&mut self, block: &Block<Rational>, text: &mut String) -> Result<(), DeviceFault> {
         if block.stops_look_ahead {
             return unsupported("codes that stop reading ahead");
@@ -130,10 +146,13 @@ impl State {
             None => {}
             Some(Compensation::Off) => {
                 self.side = None;
+                self.off_contour |= self.started;
+                self.started = false;
                 text.push_str(" g40");
             }
             Some(Compensation::On(side)) => {
                 self.side = Some(side);
+                self.off_contour = false;
                 let code = if side == Side::Left { "g41.1" } else { "g42.1" };
                 let diameter = decimal(&Rational::from(&self.radius * 2))?;
                 let _ = write!(text, " {code} d{diameter}");
