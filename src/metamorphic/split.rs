@@ -1,6 +1,7 @@
 //! Splitting a straight block.
 
 use radcomp_model::Run;
+use radcomp_spec::parameters::Interference;
 use radcomp_spec::{Block, Clause, Compensation, Movement, Parameters, clause};
 use rug::Rational;
 
@@ -16,7 +17,9 @@ pub fn split(parameters: &Parameters, blocks: &[Block<Rational>], exact: &Run) -
     if parameters.small_vector_limit.numerator == 0 {
         plain.push(clause::TRC_CORNER_08);
     }
-    if by_whole_blocks || super::runs_backwards(exact) {
+    // What is looked at over several blocks depends on how many there are ([TRC-INT-04]).
+    let over_several = parameters.interference != Interference::Off;
+    if by_whole_blocks || over_several || super::runs_backwards(exact) {
         return None;
     }
     let index = exact.steps.iter().enumerate().skip(1).find_map(|(index, step)| {
