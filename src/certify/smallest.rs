@@ -16,7 +16,7 @@ use crate::minimise::minimise;
 use crate::report;
 
 /// How many causes are told by a program that was made smaller.
-pub(super) const MOST_GROUPS: usize = 8;
+pub(super) const MOST_GROUPS: usize = 24;
 
 /// Makes the programs of the most frequent causes smaller.
 pub(super) fn make_small(

@@ -1,10 +1,14 @@
 //! Smaller programs that fail in the same way.
 
+use std::cell::Cell;
+
 use radcomp_spec::{Block, Centre, Movement};
 use rug::Rational;
 
 /// The most programs that one minimisation tries.
 const MOST_TRIALS: usize = 3000;
+/// The most numbers of one block: those of an arc, of a vector beside its code, and the radius.
+const MOST_NUMBERS: usize = 7;
 
 /// Shrinks a program while `fails` holds: blocks dropped, codes removed, coordinates rounded to fewer decimals, the
 /// contour moved to the origin. Answers the smallest one found; `fails` holds for it if it held for `blocks`.
@@ -48,7 +52,14 @@ pub fn minimise(blocks: &[Block<Rational>], mut fails: impl FnMut(&[Block<Ration
         for index in 0..best.len() {
             let mut candidate = best.clone();
             candidate[index] = map_numbers(&candidate[index], &|value| round(value, decimals));
-            attempt(&mut best, candidate);
+            if attempt(&mut best, candidate) {
+                continue;
+            }
+            for number in 0..MOST_NUMBERS {
+                let mut candidate = best.clone();
+                candidate[index] = with_rounded(&best[index], number, decimals);
+                attempt(&mut best, candidate);
+            }
         }
     }
     drop_blocks(&mut best, &mut attempt);
@@ -132,6 +143,15 @@ fn round(value: &Rational, decimals: u32) -> Rational {
     let scale = 10_u32.pow(decimals);
     let scaled = Rational::from(value * scale);
     scaled.round() / scale
+}
+
+/// The block with one of its numbers rounded.
+fn with_rounded(block: &Block<Rational>, number: usize, decimals: u32) -> Block<Rational> {
+    let seen = Cell::new(0);
+    map_numbers(block, &|value| {
+        let here = seen.replace(seen.get() + 1);
+        if here == number { round(value, decimals) } else { value.clone() }
+    })
 }
 
 fn map_numbers(block: &Block<Rational>, map: &impl Fn(&Rational) -> Rational) -> Block<Rational> {

@@ -1,9 +1,11 @@
 //! The adapters to start from, and what `radcomp ping` says of devices.
 
-use std::process::Command;
+use std::io::Write;
+use std::process::{Command, Stdio};
 
 use radcomp::device::ping::{Finding, ping};
 use radcomp::device::pipe::Pipe;
+use radcomp::device::wire::{Asked, PROTOCOL};
 use radcomp::device::{Builtin, Device};
 
 use super::{RADCOMP, hasty, limits, profile, repository};
@@ -20,6 +22,27 @@ fn told(fault: &str) -> String {
     findings.into_iter().filter_map(|finding| finding.result.err()).collect::<Vec<_>>().join("\n")
 }
 
+/// What an adapter must not take for something else: a request of another protocol, and fields of blocks that it does not
+/// know.
+#[track_caller]
+fn says_what_it_does_not_know(command: &str) {
+    let line = |number: u64, block: &str| {
+        format!(r#"{{"radcomp":{number},"id":"a","profile":{{}},"program":null,"tools":{{}},"blocks":[{block}]}}"#)
+    };
+    let requests = [
+        line(PROTOCOL, r#"{"movement":"none"}"#),
+        line(PROTOCOL + 1, r#"{"movement":"none"}"#),
+        line(PROTOCOL, r#"{"movement":"none","vector":["1","0"]}"#),
+        line(PROTOCOL, r#"{"movement":{"held-vector":{"end":["1","0"]}}}"#),
+    ];
+    let mut child =
+        Command::new("sh").args(["-c", command]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    child.stdin.take().unwrap().write_all((requests.join("\n") + "\n").as_bytes()).unwrap();
+    let told = String::from_utf8(child.wait_with_output().unwrap().stdout).unwrap();
+    let unsupported: Vec<_> = told.lines().map(|answer| answer.contains("unsupported")).collect();
+    assert_eq!(unsupported, [false, true, true, true], "{told}");
+}
+
 #[test]
 fn the_python_kit_works_as_it_is_written() {
     let folder = tempfile::tempdir().unwrap();
@@ -27,6 +50,7 @@ fn the_python_kit_works_as_it_is_written() {
     assert!(written.success());
     let command = format!("python3 '{}/adapter.py'", folder.path().display());
     assert_eq!(wrong(&mut Pipe::shell(&command, &profile(), limits())), []);
+    says_what_it_does_not_know(&command);
     let again = Command::new(RADCOMP).args(["device-kit", "python", "-o"]).arg(folder.path()).output().unwrap();
     assert_eq!(again.status.code(), Some(2));
     assert!(String::from_utf8(again.stderr).unwrap().contains("is there already"));
@@ -50,6 +74,7 @@ fn the_rust_kit_works_as_it_is_written() {
     assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
     let command = format!("'{}/target/debug/adapter'", folder.path().display());
     assert_eq!(wrong(&mut Pipe::shell(&command, &profile(), limits())), []);
+    says_what_it_does_not_know(&command);
 }
 
 #[test]
@@ -92,5 +117,14 @@ fn ping_says_in_plain_words_what_is_wrong() {
     ] {
         let told = told(fault);
         assert!(told.contains(words), "{fault}: {told}");
+    }
+}
+
+#[test]
+fn a_request_of_another_protocol_is_refused() {
+    for number in [PROTOCOL - 1, PROTOCOL + 1] {
+        let line = format!(r#"{{"radcomp":{number},"id":"a","profile":{{}},"blocks":[]}}"#);
+        let error = Asked::read(line.as_bytes()).unwrap_err();
+        assert!(error.contains(&format!("protocol {number}")), "{error}");
     }
 }

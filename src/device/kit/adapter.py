@@ -11,6 +11,13 @@ Put your control into compensated().
 import json
 import sys
 
+# The number of the protocol that this adapter knows, and what may stand in its blocks. Rather than read past what it does not
+# know, it says that the program is not supported.
+PROTOCOL = 2
+KNOWN = {
+    "movement", "rapid", "compensation", "radius", "corner", "approach", "stops_look_ahead", "not_in_mode",
+}
+
 
 def main():
     for line in sys.stdin:
@@ -26,6 +33,11 @@ def main():
 
 def path(request):
     """The steps of the tool's centre, and the alarm: None or {"block": 3, "alarm": "reversal"}."""
+    if request["radcomp"] != PROTOCOL:
+        raise NotImplementedError(f"protocol {request['radcomp']}: this adapter knows {PROTOCOL}")
+    for block in request["blocks"]:
+        for field in block.keys() - KNOWN:
+            raise NotImplementedError(f"blocks with {field}")
     if any(block.get("compensation") in ("left", "right") for block in request["blocks"]):
         return compensated(request)
     return uncompensated(request["blocks"]), None
@@ -48,7 +60,7 @@ def uncompensated(blocks):
             end = point(movement["line"]["end"])
             steps.append({"block": index, "shape": "line", "end": end, "rapid": rapid})
             at = end
-        else:
+        elif "arc" in movement:
             arc = movement["arc"]
             if "from-start" not in arc["centre"]:
                 raise NotImplementedError("an arc with its radius")
@@ -62,6 +74,8 @@ def uncompensated(blocks):
                 "full": end == at,
             })
             at = end
+        else:
+            raise NotImplementedError(f"the movement {next(iter(movement))}")
     return steps
 
 

@@ -15,8 +15,12 @@ pub use reply::{Reply, ReplyError};
 pub use request::{ProfileRecord, Request, request};
 pub use serve::{Asked, answer_line, serve};
 
-/// The number of this protocol; it changes when a device of the old one would misread a request of the new one.
-pub const PROTOCOL: u64 = 1;
+/// The number of this protocol. It rises when a device that reads past what it does not know would answer another program
+/// than the one it was asked: with every new field of a block and every new movement. A new parameter of the profile does
+/// not change it, nor does a field that says the same in other words.
+///
+/// 2: vectors given by the program (`vector`, `held-vector`, `new-vector`, `corner-arc`) and `approach`.
+pub const PROTOCOL: u64 = 2;
 
 /// The JSON Schema of requests and answers.
 pub const SCHEMA: &str = include_str!("../pipe.schema.json");

@@ -11,6 +11,12 @@ use std::io::{self, BufRead, Write};
 
 use serde_json::{Value, json};
 
+/// The number of the protocol that this adapter knows.
+const PROTOCOL: u64 = 2;
+/// What may stand in its blocks. Rather than read past what it does not know, it says that the program is not supported.
+const KNOWN: [&str; 8] =
+    ["movement", "rapid", "compensation", "radius", "corner", "approach", "stops_look_ahead", "not_in_mode"];
+
 fn main() -> io::Result<()> {
     let mut out = io::stdout().lock();
     for line in io::stdin().lock().lines() {
@@ -29,7 +35,14 @@ fn main() -> io::Result<()> {
 
 /// The path of the tool's centre, or why there is none.
 fn path(request: &Value) -> Result<Vec<Value>, String> {
+    if request["radcomp"] != PROTOCOL {
+        return Err(format!("protocol {}: this adapter knows {PROTOCOL}", request["radcomp"]));
+    }
     let blocks = request["blocks"].as_array().ok_or("no blocks")?;
+    let fields = blocks.iter().filter_map(Value::as_object).flat_map(|block| block.keys());
+    if let Some(field) = fields.into_iter().find(|field| !KNOWN.contains(&field.as_str())) {
+        return Err(format!("blocks with {field}"));
+    }
     match blocks.iter().any(|block| matches!(block["compensation"].as_str(), Some("left" | "right"))) {
         true => compensated(request),
         false => uncompensated(blocks),
@@ -62,8 +75,10 @@ fn uncompensated(blocks: &[Value]) -> Result<Vec<Value>, String> {
                 "full": start == end,
             }));
             at = end;
-        } else {
+        } else if block["movement"] == "none" || !block["movement"]["dummy"].is_null() {
             steps.push(json!({ "block": index, "shape": "hold" }));
+        } else {
+            return Err(format!("the movement {}", block["movement"]));
         }
     }
     Ok(steps)
