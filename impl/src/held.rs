@@ -15,8 +15,8 @@ pub(crate) struct Held {
     changed: u8,
     /// The places of the blocks whose rate is not that of the block before. Past the last place the rate that has been
     /// reached stays: blocks without movement have no rate of their own but the modal one, which does not change more
-    /// often in a run of them.
-    changes: [usize; MOST_CHANGES],
+    /// often in a run of them, nor behind so many of them that a place has no number here.
+    changes: [u16; MOST_CHANGES],
 }
 
 /// The most changes of rate that are kept; a run of bounded length has fewer.
@@ -41,8 +41,9 @@ impl Held {
             self.rapid = rapid;
         } else if rapid != self.last()
             && let Some(place) = self.changes.get_mut(usize::from(self.changed))
+            && let Ok(count) = u16::try_from(self.count)
         {
-            *place = self.count;
+            *place = count;
             self.changed += 1;
         }
         self.count = self.count.saturating_add(1);
@@ -57,7 +58,7 @@ impl Held {
     pub fn rapid(&self) -> impl Iterator<Item = bool> {
         let (mut rapid, mut changes) = (self.rapid, self.changes.iter().take(usize::from(self.changed)).peekable());
         (0..self.count).map(move |place| {
-            if changes.next_if(|change| **change == place).is_some() {
+            if changes.next_if(|change| usize::from(**change) == place).is_some() {
                 rapid = !rapid;
             }
             rapid

@@ -2,7 +2,7 @@
 //! several junctions before the blocks between them are handed on. [TRC-INT-01] to [TRC-INT-05]
 //!
 //! A row's blocks are held back in a ring, each with the vectors at its end, until what the profile reads of the row is
-//! known. With vectors that are removed nothing is held back, and with `off` the stage is never called.
+//! known. Where vectors are removed nothing is held back, and with `off` the stage is never called.
 
 mod avoid;
 mod compare;
@@ -10,7 +10,7 @@ mod held_back;
 mod removal;
 
 use radcomp_spec::parameters::{CornerOwner, Interference, InterferenceBlocks, InterferenceBoundary};
-use radcomp_spec::{Alarm, AlarmKind, Clause, Parameters, Segment, Step, clause};
+use radcomp_spec::{Alarm, AlarmKind, Parameters, Segment, Step, clause};
 
 use crate::element::Element;
 use crate::engine::Sink;
@@ -47,8 +47,8 @@ pub(crate) struct Row {
     count: usize,
 }
 
-/// Places for blocks held back, a power of two: with eight blocks read together seven are held back.
-const PLACES: usize = 8;
+/// Places for blocks held back: with eight blocks read together there are seven.
+const PLACES: usize = 7;
 
 /// The element behind the last block of a row, with the junction at its start.
 pub(crate) struct Next<'a> {
@@ -104,11 +104,9 @@ impl Row {
     }
 
     /// Holds a block without movement back behind the last block.
-    pub fn hold(&mut self, rapid: bool, clause: Clause) {
+    pub fn hold(&mut self, rapid: bool) {
         let last = self.count.saturating_sub(1);
-        let block = self.block_mut(last);
-        block.held.push(rapid);
-        block.held_clause = clause;
+        self.block_mut(last).held.push(rapid);
     }
 
     /// Takes the next block of the row. The first of a row starts at one vector, where `tool` or the junction `start`
@@ -158,20 +156,20 @@ impl Row {
     /// Whether a vector at the start of the block at this place interferes with one at the end of the block so many
     /// points farther. [TRC-INT-02], [TRC-INT-04]
     fn interferes(&self, place: usize, distance: usize) -> bool {
-        let here = if place == 0 { &self.before } else { &self.block(place - 1).behind };
+        let here = if place == 0 { self.before } else { self.block(place - 1).end() };
         let (near, far) = (self.block(place), self.block(place + distance - 1));
+        let there = far.end();
         let compared = if distance == 1 {
             Compared::block(near)
         } else {
             Compared::Points { from: near.element.start, to: far.element.end, scale: near.element.scale }
         };
-        here.vectors().any(|v| far.behind.vectors().any(|w| compared.interfere(v, w, self.inclusive)))
+        here.vectors().any(|v| there.vectors().any(|w| compared.interfere(v, w, self.inclusive)))
     }
 
     /// Hands on the first block.
     fn hand_on<S: Sink>(&mut self, sink: &mut S) {
-        let place = self.first & (PLACES - 1);
-        let block = &self.blocks[place];
+        let block = &self.blocks[self.first % PLACES];
         let mut path = PathEnd { tool: &mut self.tool, sink, block: block.element.block, rapid: block.element.rapid };
         if self.owns_before || !self.previous {
             path.corner_moves(&self.before.junction);
@@ -179,10 +177,10 @@ impl Row {
         let arc = if block.own.straight { None } else { block.element.arc.as_ref() };
         path.own_move(arc, block.own.to, block.own.full, block.own.clause);
         if block.owns_behind {
-            path.corner_moves(&block.behind.junction);
+            path.corner_moves(&block.behind);
         }
         block.emit_held(sink);
-        self.before = block.behind;
+        self.before = block.end();
         self.owns_before = false;
         self.drop_first();
     }
@@ -211,17 +209,17 @@ impl Row {
     }
 
     fn drop_first(&mut self) {
-        self.first = self.first.wrapping_add(1);
+        self.first = (self.first + 1) % PLACES;
         self.count = self.count.saturating_sub(1);
     }
 
-    /// The block at a place behind the first. The mask tells the compiler that the place exists.
+    /// The block at a place behind the first. The remainder tells the compiler that the place exists.
     fn block(&self, place: usize) -> &HeldBack {
-        &self.blocks[self.first.wrapping_add(place) & (PLACES - 1)]
+        &self.blocks[(self.first + place) % PLACES]
     }
 
     fn block_mut(&mut self, place: usize) -> &mut HeldBack {
-        &mut self.blocks[self.first.wrapping_add(place) & (PLACES - 1)]
+        &mut self.blocks[(self.first + place) % PLACES]
     }
 }
 

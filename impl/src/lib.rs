@@ -3,7 +3,8 @@
 //!
 //! The rules are the clauses of `radcomp-spec`, cited as `[TRC-…]`. An [`Engine`] takes blocks one by one and hands
 //! each element of the path of the tool's centre to a [`Sink`] as soon as it is settled; it holds one element and
-//! counts the blocks without movement behind it, never more.
+//! counts the blocks without movement behind it, never more. Where vectors of several blocks are compared ([TRC-INT-04]),
+//! up to seven elements that are settled are held back behind it.
 //!
 //! # Exactness
 //! Inputs are decimals rounded to f64. Every decision that a sign makes goes through [`sign::sign`], whose band is a

@@ -200,7 +200,7 @@ impl<S: Sink> Geometry for Scene<'_, S> {
     #[inline(always)]
     fn hold(&mut self, block: usize, rapid: bool, clause: Clause) {
         if self.state.row.holds_back() {
-            return self.state.row.hold(rapid, clause);
+            return self.state.row.hold(rapid);
         }
         self.sink.step(Step { block, clause, rapid, main: false, segment: Segment::Hold });
     }

@@ -10,8 +10,7 @@ use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, 
 
 #[test]
 fn the_engine_is_small() {
-    println!("{} bytes", size_of::<Engine>());
-    assert!(size_of::<Engine>() <= 8000, "{}", size_of::<Engine>());
+    assert!(size_of::<Engine>() <= 4096, "{}", size_of::<Engine>());
 }
 
 /// Numbers of every bit pattern; numbers of a small grid, which make degenerate geometry; and numbers in between.
@@ -112,36 +111,50 @@ fn parameters() -> impl Strategy<Value = Parameters> {
         prop::option::weighted(0.9, 0_u8..=8),
     );
     let vectors = (any_of(SideCodeVector::VALUES), any_of(CancelVector::VALUES), any_of(OffsetChange::VALUES));
-    (start, corners, limits, rest, vectors).prop_map(|(start, corners, limits, rest, vectors)| Parameters {
-        start_up: start.0,
-        start_up_lost: start.1,
-        start_up_b: start.2,
-        start_up_without_movement: start.3,
-        start_up_arc: start.4,
-        cancel: start.5,
-        cancel_without_movement: start.6,
-        outer_corner: corners.0,
-        reversal: corners.1,
-        corner_owner: corners.2,
-        arc_extension: corners.3,
-        arc_on_rapid: corners.4,
-        corner_limit_cosine: limits.0,
-        smallest_corner_cosine: limits.1,
-        straight_band_cosine: limits.2,
-        small_vector_limit: limits.3,
-        arc_end_tolerance: limits.4,
-        side_change: rest.0,
-        side_change_after_start_up: rest.1,
-        reversed_path: rest.2,
-        same_code: rest.3,
-        negative_radius: rest.4,
-        equal_radius: rest.5,
-        zero_length_move: rest.6,
-        non_moving_allowed: rest.7,
-        side_code_vector: vectors.0,
-        cancel_vector: vectors.1,
-        offset_change: vectors.2,
-        ..*SEED_MILL
+    let several = (
+        any_of(Interference::VALUES),
+        any_of(InterferenceBlocks::VALUES),
+        any_of(InterferenceBoundary::VALUES),
+        ratio(20),
+        ratio(20),
+    );
+    (start, corners, limits, rest, vectors, several).prop_map(|(start, corners, limits, rest, vectors, several)| {
+        Parameters {
+            start_up: start.0,
+            start_up_lost: start.1,
+            start_up_b: start.2,
+            start_up_without_movement: start.3,
+            start_up_arc: start.4,
+            cancel: start.5,
+            cancel_without_movement: start.6,
+            outer_corner: corners.0,
+            reversal: corners.1,
+            corner_owner: corners.2,
+            arc_extension: corners.3,
+            arc_on_rapid: corners.4,
+            corner_limit_cosine: limits.0,
+            smallest_corner_cosine: limits.1,
+            straight_band_cosine: limits.2,
+            small_vector_limit: limits.3,
+            arc_end_tolerance: limits.4,
+            side_change: rest.0,
+            side_change_after_start_up: rest.1,
+            reversed_path: rest.2,
+            same_code: rest.3,
+            negative_radius: rest.4,
+            equal_radius: rest.5,
+            zero_length_move: rest.6,
+            non_moving_allowed: rest.7,
+            side_code_vector: vectors.0,
+            cancel_vector: vectors.1,
+            offset_change: vectors.2,
+            interference: several.0,
+            interference_blocks: several.1,
+            interference_boundary: several.2,
+            chord_tolerance: several.3,
+            centre_tolerance: several.4,
+            ..*SEED_MILL
+        }
     })
 }
 

@@ -82,6 +82,18 @@ pub fn parameters(choice: &mut impl Choice) -> Parameters {
         offset_change: choice.of(&[OffsetChange::Alarm, OffsetChange::EndOfBlock]),
         chord_tolerance: choice.of(&cosines),
         centre_tolerance: choice.of(&cosines),
+        interference: choice.of(&[
+            Interference::Off,
+            Interference::RemoveVectors,
+            Interference::Alarm,
+            Interference::Avoid,
+        ]),
+        interference_blocks: choice.of(&[
+            InterferenceBlocks::Three,
+            InterferenceBlocks::Five,
+            InterferenceBlocks::Eight,
+        ]),
+        interference_boundary: choice.of(&[InterferenceBoundary::Strict, InterferenceBoundary::Inclusive]),
         ..crate::look_ahead::parameters(choice, MOST_NON_MOVING)
     }
 }

@@ -102,7 +102,7 @@
 #define RADCOMP_NAME 48
 
 // As many bytes as the memory of a state has to have, at any address.
-#define RADCOMP_STATE_SIZE 8192
+#define RADCOMP_STATE_SIZE 4096
 
 // The most elements that one call of `radcomp_push` or `radcomp_finish` gives.
 #define RADCOMP_MOST_STEPS 128

@@ -27,7 +27,7 @@ impl radcomp_state {
 }
 
 /// As many bytes as the memory of a state has to have, at any address.
-pub const RADCOMP_STATE_SIZE: usize = 8192;
+pub const RADCOMP_STATE_SIZE: usize = 4096;
 
 /// The most elements that one call of `radcomp_push` or `radcomp_finish` gives.
 pub const RADCOMP_MOST_STEPS: usize = 128;

@@ -15,13 +15,14 @@ use crate::plane::Vector;
 pub(crate) struct HeldBack {
     pub element: Element,
     pub own: OwnMove,
-    /// The vectors at its end.
-    pub behind: Point,
+    /// The junction at its end, if it is one, with its corner moves.
+    pub behind: Junction,
+    /// It is a corner of offset mode; else the own move's end is the only vector there.
+    pub corner: bool,
     /// The corner moves there are its own.
     pub owns_behind: bool,
-    /// The blocks without movement behind it, and their clause.
+    /// The blocks without movement behind it, which the junction there does not lose. [TRC-LOOK-02]
     pub held: Held,
-    pub held_clause: Clause,
 }
 
 /// A block's own move.
@@ -51,10 +52,10 @@ impl HeldBack {
         HeldBack {
             element: Element::unused(),
             own: OwnMove { to: zero, clause: clause::TRC_INT_01, full: false, straight: true },
-            behind: Point::one(clause::TRC_INT_01, zero),
+            behind: Junction::unused(),
+            corner: false,
             owns_behind: false,
             held: Held::none(),
-            held_clause: clause::TRC_LOOK_02,
         }
     }
 
@@ -63,12 +64,17 @@ impl HeldBack {
         self.own.straight && self.element.arc.is_some()
     }
 
+    /// The vectors at its end.
+    pub fn end(&self) -> Point {
+        Point { junction: self.behind, one: (!self.corner).then_some(self.own.to) }
+    }
+
     /// Emits the blocks without movement behind it.
     pub fn emit_held<S: Sink>(&self, sink: &mut S) {
         let mut block = self.element.block;
         for rapid in self.held.rapid() {
             block = block.wrapping_add(1);
-            sink.step(Step { block, clause: self.held_clause, rapid, main: false, segment: Segment::Hold });
+            sink.step(Step { block, clause: clause::TRC_LOOK_02, rapid, main: false, segment: Segment::Hold });
         }
     }
 }

@@ -55,15 +55,8 @@ impl<S: Sink> Scene<'_, S> {
             return Ok(());
         }
         let Ending { own, start, behind, .. } = ending;
-        let point = Point { junction: *behind, one: (!corner).then_some(own.to) };
-        let block = HeldBack {
-            element: *element,
-            own,
-            behind: point,
-            owns_behind,
-            held: Held::none(),
-            held_clause: clause::TRC_LOOK_02,
-        };
+        let held = Held::none();
+        let block = HeldBack { element: *element, own, behind: *behind, corner, owns_behind, held };
         row.take(block, start, *tool);
         row.joined = joins;
         *tool = own.to;
