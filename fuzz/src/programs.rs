@@ -61,7 +61,8 @@ fn is_far(run: &Run) -> bool {
 fn shrinks_to_nothing(run: &Run, beta: f64) -> bool {
     run.decisions.iter().any(|(decision, _)| {
         let (low, high) = decision.margin.filter();
-        decision.kind == DecisionKind::ArcForward && low <= beta && high >= -beta
+        let sweeps = matches!(decision.kind, DecisionKind::ArcForward | DecisionKind::ArcInterference);
+        sweeps && low <= beta && high >= -beta
     })
 }
 
@@ -70,7 +71,8 @@ fn shrinks_to_nothing(run: &Run, beta: f64) -> bool {
 fn nearly_touches(run: &Run, beta: f64) -> bool {
     run.decisions.iter().any(|(decision, _)| {
         let (low, high) = decision.margin.filter();
-        let kind = matches!(decision.kind, DecisionKind::OffsetsMeet | DecisionKind::ContactExists);
+        use DecisionKind::{AvoidanceMeets, ContactExists, OffsetsMeet};
+        let kind = matches!(decision.kind, OffsetsMeet | ContactExists | AvoidanceMeets);
         kind && decision.exact.is_ne() && low <= beta && high >= -beta
     })
 }

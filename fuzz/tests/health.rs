@@ -39,11 +39,12 @@ const CLAUSES: [Clause; 20] = [
 ];
 
 /// Sides that no geometry has: lengths and distances are not negative.
-const IMPOSSIBLE: [(DecisionKind, usize); 4] = [
+const IMPOSSIBLE: [(DecisionKind, usize); 5] = [
     (DecisionKind::Moves, 0),
     (DecisionKind::CentreDistance, 0),
     (DecisionKind::WholeTurn, 0),
     (DecisionKind::CentresApart, 0),
+    (DecisionKind::InterferenceApart, 0),
 ];
 
 #[test]

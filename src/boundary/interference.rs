@@ -15,13 +15,13 @@ fn long(tool: &Rational, tangent: &Rational, choice: &mut Choice) -> Rational {
     Rational::from(tangent + 3) * tool * 3 + choice.length()
 }
 
-/// [TRC-INT-02] a groove exactly as wide as the tool. Its walls are parallel, so that vectors farther apart than those of
-/// its ground do not interfere before those do.
+/// [TRC-INT-02] a groove exactly as wide as the tool. Its walls are parallel, and as high as each other or of heights that
+/// differ by far, so that vectors farther apart than those of its ground do not interfere before those do.
 pub(super) fn groove(choice: &mut Choice) -> Option<Figure> {
     let tool = choice.length() * choice.part();
     let width = Rational::from(&tool * 2);
-    let mut deep = || Rational::from(&tool * 4) + choice.length();
-    let (first, second) = (deep(), deep());
+    let first = Rational::from(&tool * 4) + choice.length();
+    let second = if choice.coin() { first.clone() } else { Rational::from(&first + &tool) };
     let figure = Figure::new("groove as wide as the tool", Point::new(0, first)).tool(tool.clone());
     Some(figure.line(Point::origin()).line(Point::new(width.clone(), 0)).line(Point::new(width, second)))
 }

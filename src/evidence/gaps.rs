@@ -45,7 +45,6 @@ pub const EXCUSES: &[Excuse] = &[
     Excuse { clause: "TRC-PLANE-02", lacks: "test by name", reason: WITHOUT_TRACE },
     Excuse { clause: "TRC-PLANE-04", lacks: "test by name", reason: WITHOUT_TRACE },
     Excuse { clause: "TRC-MODE-02", lacks: "test by name", reason: WITHOUT_TRACE },
-    Excuse { clause: "TRC-MODE-10", lacks: "test by name", reason: WITHOUT_TRACE },
     Excuse { clause: "TRC-START-01", lacks: "test by name", reason: WITHOUT_TRACE },
     Excuse { clause: "TRC-CORNER-12", lacks: "test by name", reason: WITHOUT_TRACE },
     Excuse { clause: "TRC-SIDE-08", lacks: "test by name", reason: WITHOUT_TRACE },

@@ -15,6 +15,7 @@ mod split;
 
 pub use motion::Motion;
 pub use reversal::Reversal;
+use split::is_by_whole_blocks;
 pub use split::split;
 
 use radcomp_model::number::Real;
@@ -86,6 +87,7 @@ pub fn check(
     if let Some(program) = split(parameters, &blocks, &exact)
         && let image = run(parameters, &program)
         && !runs_backwards(&image)
+        && !is_by_whole_blocks(&image)
         && !decides_within(&image, budget.beta(&program) * 16.0)
     {
         let difference = compare(ask(device, parameters, &program), &answer, budget.delta, false)

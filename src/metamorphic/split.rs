@@ -1,25 +1,32 @@
 //! Splitting a straight block.
 
 use radcomp_model::Run;
-use radcomp_spec::parameters::Interference;
 use radcomp_spec::{Block, Clause, Compensation, Movement, Parameters, clause};
 use rug::Rational;
 
+/// Whether a rule that looks at whole blocks made a point of the path.
+pub fn is_by_whole_blocks(run: &Run) -> bool {
+    const WHOLE_BLOCKS: [Clause; 6] = [
+        clause::TRC_SIDE_02,
+        clause::TRC_SIDE_03,
+        clause::TRC_SIDE_05,
+        clause::TRC_SIDE_06,
+        clause::TRC_INT_03,
+        clause::TRC_INT_05,
+    ];
+    run.steps.iter().any(|step| WHOLE_BLOCKS.contains(&step.clause))
+}
+
 /// The program with one compensated line split in the middle, if that may not change its path: not in a program whose
-/// sides change or whose tool runs backwards somewhere, since those rules look at whole blocks.
+/// sides change or whose tool runs backwards somewhere, since those rules look at whole blocks, nor where vectors interfere.
 pub fn split(parameters: &Parameters, blocks: &[Block<Rational>], exact: &Run) -> Option<Vec<Block<Rational>>> {
-    const WHOLE_BLOCKS: [Clause; 4] =
-        [clause::TRC_SIDE_02, clause::TRC_SIDE_03, clause::TRC_SIDE_05, clause::TRC_SIDE_06];
-    let by_whole_blocks = exact.steps.iter().any(|step| WHOLE_BLOCKS.contains(&step.clause));
     // Start-up, cancel and settled junctions look at the block next to them.
     let mut plain = vec![clause::TRC_CORNER_03, clause::TRC_CORNER_04, clause::TRC_CORNER_06];
     // A line that starts at a vector before the last one, which was dropped, is not its own offset.
     if parameters.small_vector_limit.numerator == 0 {
         plain.push(clause::TRC_CORNER_08);
     }
-    // What is looked at over several blocks depends on how many there are ([TRC-INT-04]).
-    let over_several = parameters.interference != Interference::Off;
-    if by_whole_blocks || over_several || super::runs_backwards(exact) {
+    if is_by_whole_blocks(exact) || super::runs_backwards(exact) {
         return None;
     }
     let index = exact.steps.iter().enumerate().skip(1).find_map(|(index, step)| {

@@ -74,6 +74,7 @@ const FILES: &[(&str, &str)] = &[
     ("tv-5", include_str!("../../tests/vectors/tv-5.toml")),
     ("tv-8", include_str!("../../tests/vectors/tv-8.toml")),
     ("tv-10", include_str!("../../tests/vectors/tv-10.toml")),
+    ("interference", include_str!("../../tests/vectors/interference.toml")),
 ];
 
 /// The vectors of `tests/vectors`, and the worked examples of every clause, each with the clause's id as its name.

@@ -14,7 +14,7 @@ use proptest::strategy::ValueTree as _;
 use proptest::test_runner::TestRunner;
 use radcomp_model::number::Real;
 use radcomp_model::{Run, run, run_with};
-use radcomp_spec::parameters::{NegativeRadius, PendingAtAlarm};
+use radcomp_spec::parameters::{Interference, NegativeRadius, PendingAtAlarm, ReversedPath};
 use radcomp_spec::{Advisory, AdvisoryKind, AlarmKind, DecisionKind, Segment, Step, clause};
 
 /// Choices that a case is made of.
@@ -121,6 +121,23 @@ proptest! {
         let (plain, negative) = (run(&case.parameters, &case.blocks), run(&case.parameters, &case.negated()));
         prop_assert_eq!(plain.alarm, negative.alarm);
         prop_assert_eq!(difference(told(&plain, false), told(&negative, false)), None);
+    }
+
+    /// [TRC-INT-04] with `alarm` the path is the one without the comparison, up to the alarm.
+    #[test]
+    fn interference_only_cuts_the_path(choices in choices()) {
+        let mut case = Case::new(&choices);
+        case.parameters.interference = Interference::Alarm;
+        let compared = run(&case.parameters, &case.blocks);
+        case.parameters.interference = Interference::Off;
+        case.parameters.reversed_path = ReversedPath::Advisory;
+        let plain = run(&case.parameters, &case.blocks);
+        let cut = compared.alarm.filter(|alarm| alarm.kind == AlarmKind::Interference);
+        prop_assert!(compared.steps.len() <= plain.steps.len());
+        prop_assert!(cut.is_some() || (compared.alarm, compared.steps.len()) == (plain.alarm, plain.steps.len()));
+        let made = plain.steps.into_iter().take(compared.steps.len()).collect();
+        let path = |steps: Vec<Step<Real>>| told(&Run { steps, ..Run::default() }, false);
+        prop_assert_eq!(difference(path(compared.steps), path(made)), None);
     }
 
     /// Whatever a judge answers, the engine goes on or says that no geometry answers so.
