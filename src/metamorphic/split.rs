@@ -1,6 +1,7 @@
 //! Splitting a straight block.
 
 use radcomp_model::Run;
+use radcomp_spec::parameters::Interference;
 use radcomp_spec::{Block, Clause, Compensation, Movement, Parameters, clause};
 use rug::Rational;
 
@@ -26,7 +27,9 @@ pub fn split(parameters: &Parameters, blocks: &[Block<Rational>], exact: &Run) -
     if parameters.small_vector_limit.numerator == 0 {
         plain.push(clause::TRC_CORNER_08);
     }
-    if is_by_whole_blocks(exact) || super::runs_backwards(exact) {
+    // How many blocks are read together counts ([TRC-INT-04]).
+    let over_several = matches!(parameters.interference, Interference::Alarm | Interference::Avoid);
+    if is_by_whole_blocks(exact) || over_several || super::runs_backwards(exact) {
         return None;
     }
     let index = exact.steps.iter().enumerate().skip(1).find_map(|(index, step)| {
