@@ -68,7 +68,7 @@ decisions! {
     LineInterference = "line-interference", TRC_INT_02, "the way from vector to vector along that from corner to corner; negative interferes";
     ArcInterference = "arc-interference", TRC_INT_02, "margin of the sweep comparison of an arc's vectors; negative interferes";
     AvoidanceTurn = "avoidance-turn", TRC_INT_05, "cosine of the turn over the blocks left out times the shorter arm; negative is an alarm";
-    AvoidanceParallel = "avoidance-parallel", TRC_INT_05, "sine of the turn over the blocks left out times the shorter arm; zero is an alarm";
+    AvoidanceParallel = "avoidance-parallel", TRC_INT_05, "sine of the turn toward the tool's side over the blocks left out times the shorter arm; zero is an alarm";
     AvoidanceMeets = "avoidance-meets", TRC_INT_05, "by how much the offset curves before and behind the blocks left out overlap; negative is an alarm";
     NearerAvoidance = "nearer-avoidance", TRC_INT_05, "distance from the corner of the second common point less that of the first; zero is an alarm";
     LineInForward = "line-in-forward", TRC_LOOK_05, "straight move along the tangent at an arc's start; negative is advised";

@@ -1,6 +1,6 @@
 //! Elements of offset mode: blocks that move, and dummy blocks.
 
-use radcomp_spec::parameters::{EqualRadius, SideCodeVector};
+use radcomp_spec::parameters::{EqualRadius, Interference, SideCodeVector};
 use radcomp_spec::{AlarmKind, Segment, Side, clause};
 
 use super::own_move::Onward;
@@ -28,8 +28,9 @@ impl Engine {
             Ok(fit) => fit,
             Err(kind) => return self.alarm(number, kind, judgement),
         };
-        let joined = Some(Next { element: element.clone(), fit });
-        let lead_in = self.reach((number, rapid), &element, side, joined, judgement)?;
+        let compares = self.parameters.interference != Interference::Off;
+        let row = compares.then(|| Next { element: element.clone(), fit });
+        let lead_in = self.reach((number, rapid), &element, side, row, judgement)?;
         self.element_read(side);
         self.position = element.end.clone();
         let (kind, radius, imaginary) = (PendingKind::Offset, self.offset.radius.clone(), None);

@@ -12,7 +12,7 @@ use super::side_change::{nearer, two};
 use super::wedge::arc_margin;
 use crate::decision::Judgement;
 use crate::element::{Arm, Element, Shape};
-use crate::geometry::Vector;
+use crate::geometry::{Vector, signed};
 use crate::number::Real;
 
 /// The programmed end of a block, and a vector there.
@@ -134,8 +134,9 @@ fn lines_meet(
     judgement: &mut Judgement<'_>,
 ) -> Result<Option<Vector>, Refused> {
     let cross = before.tangent.cross(&after.tangent);
-    let margin = displacement(&cross, before, after);
-    if judgement.decide(DecisionKind::AvoidanceParallel, &cross, margin) == Ordering::Equal {
+    let toward = signed(side, &cross);
+    let margin = displacement(&toward, before, after);
+    if judgement.decide(DecisionKind::AvoidanceParallel, &toward, margin) == Ordering::Equal {
         return Ok(None);
     }
     let (first, second) = (before.normal(side, radius), after.normal(side, radius));
