@@ -112,7 +112,7 @@ pub(super) fn parallel(choice: &mut Choice) -> Option<Figure> {
 pub(super) fn meets(choice: &mut Choice) -> Option<Figure> {
     let step = Step::new("step before an arc that touches the line", choice)?;
     let along = slanted(choice);
-    let radius = Rational::from(&step.corner.b / Rational::from(1 - &along.a));
+    let radius = &step.corner.b / Rational::from(1 - &along.a);
     if radius <= step.figure.tool {
         return None;
     }
