@@ -33,7 +33,7 @@ pub struct Waiver {
     pub program: Option<String>,
     /// The kind of difference, as the name of a cause tells it, if it is for one.
     pub difference: Option<String>,
-    /// The shape of the first element that differs, of `line` or `arc`, if it is for one.
+    /// The shape of the first element that differs, `line`, `arc` or `hold`, if it is for one.
     pub element: Option<String>,
     /// The alarm of the rules, or `none`, if it is for one.
     pub rule_alarm: Option<String>,
