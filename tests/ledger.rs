@@ -106,5 +106,5 @@ fn what_linuxcnc_does_otherwise_stands_in_the_rows_of_its_clauses() {
     let titles: Vec<&str> = page.lines().filter_map(|line| line.strip_prefix("## ")).collect();
     assert_eq!(told.into_iter().collect::<Vec<_>>(), titles);
     let row = LEDGER.row("TRC-MODE-10").unwrap();
-    assert_eq!(row.linuxcnc.len(), 2, "{:?}", row.linuxcnc);
+    assert_eq!(row.linuxcnc.len(), 1, "{:?}", row.linuxcnc);
 }

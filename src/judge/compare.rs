@@ -3,7 +3,7 @@
 use radcomp_model::Run;
 use radcomp_spec::{Alarm, Clause, Segment, Step};
 
-use super::stroke::{Extent, Shape, Stroke, Tolerance, distance, strokes};
+use super::stroke::{Extent, Shape, Stroke, Tolerance, continues, distance, strokes};
 use crate::device::Answer;
 
 /// The first place where a device's answer differs.
@@ -136,6 +136,21 @@ fn first_difference(
             (i, j) = (i + 1, j + 1);
             continue;
         };
+        // Lines that hardly turn may be one on one side, and two on the other.
+        if let (Some(_), Some(next)) =
+            (here.filter(|here| hardly_turns(here, expected.get(i + 1), tolerance, blocks)), there)
+            && differ(expected.get(i + 1), Some(next), tolerance, blocks).is_none()
+        {
+            i += 1;
+            continue;
+        }
+        if let (Some(next), Some(_)) =
+            (here, there.filter(|there| hardly_turns(there, observed.get(j + 1), tolerance, blocks)))
+            && differ(Some(next), observed.get(j + 1), tolerance, blocks).is_none()
+        {
+            j += 1;
+            continue;
+        }
         // A move hardly longer than δ may stand on one side and be forgotten on the other.
         if here.is_some_and(|stroke| is_short(stroke, here_at, tolerance)) {
             i += 1;
@@ -158,6 +173,11 @@ fn first_difference(
         }));
     }
     Ok(agreed)
+}
+
+/// Whether the next line goes on along this one, within twice what makes them one stroke.
+fn hardly_turns(stroke: &Stroke, next: Option<&Stroke>, tolerance: Tolerance, blocks: bool) -> bool {
+    next.is_some_and(|next| next.shape == Shape::Line && continues(stroke, next, 2.0 * tolerance.delta, blocks))
 }
 
 /// The last path element of a block: those of one block are settled together, before any decision on what is behind.

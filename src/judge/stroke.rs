@@ -80,16 +80,20 @@ impl Extent {
 
 impl Stroke {
     /// How much of a turn an arc makes, if its ends lie within `near` of each other and it is larger than that. Ends
-    /// within `grain` may be rounded past each other.
+    /// within `grain` of one ray from the centre may be rounded past each other.
     pub(crate) fn extent(&self, near: f64, grain: f64) -> Extent {
         let chord = distance(self.from, self.to);
         let Shape::Arc { centre, direction, full: false } = self.shape else { return Extent::Either };
-        if chord > near || chord <= grain || 2.0 * distance(self.from, centre) <= near {
+        if chord > near || 2.0 * distance(self.from, centre) <= near {
             return Extent::Either;
         }
         let ray = [self.from[0] - centre[0], self.from[1] - centre[1]];
         // The cross product with the chord keeps its sign where that of the two rays would cancel.
         let onward = ray[0] * (self.to[1] - self.from[1]) - ray[1] * (self.to[0] - self.from[0]);
+        // Ends that lie on one ray, at two radii, or hardly beside it.
+        if onward.abs() <= grain * distance(self.from, centre) {
+            return Extent::Either;
+        }
         match (direction, onward >= 0.0) {
             (Direction::Counterclockwise, true) | (Direction::Clockwise, false) => Extent::Short,
             _ => Extent::Long,
@@ -142,7 +146,7 @@ pub(crate) fn strokes(steps: &[Step<f64>], tolerance: Tolerance, blocks: bool) -
 }
 
 /// Whether a straight stroke goes on along the one before, in the same block.
-fn continues(last: &Stroke, next: &Stroke, delta: f64, blocks: bool) -> bool {
+pub(crate) fn continues(last: &Stroke, next: &Stroke, delta: f64, blocks: bool) -> bool {
     if last.shape != Shape::Line || (blocks && last.block != next.block) || last.rapid != next.rapid {
         return false;
     }

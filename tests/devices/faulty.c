@@ -81,10 +81,13 @@ static int32_t sound(const char *profile, const radcomp_block *blocks, size_t bl
     int32_t status = radcomp_new(memory, sizeof memory, profile, &state);
     *count = 0;
     for (size_t index = 0; status == RADCOMP_OK && index <= block_count; ++index) {
+        static radcomp_step room[RADCOMP_MOST_STEPS];
         size_t more = 0;
-        status = index < block_count
-                     ? radcomp_push(state, &blocks[index], steps + *count, capacity - *count, &more, alarm)
-                     : radcomp_finish(state, steps + *count, capacity - *count, &more, alarm);
+        status = index < block_count ? radcomp_push(state, &blocks[index], room, RADCOMP_MOST_STEPS, &more, alarm)
+                                     : radcomp_finish(state, room, RADCOMP_MOST_STEPS, &more, alarm);
+        if (more > capacity - *count)
+            return RADCOMP_SHORT;
+        memcpy(steps + *count, room, more * sizeof *room);
         *count += more;
     }
     return status == RADCOMP_ALARM ? RADCOMP_OK : status;
