@@ -30,8 +30,10 @@ use rows::Rows;
 
 /// The reference model: reads blocks one at a time and hands out each path element as soon as it is settled.
 ///
-/// Its memory is bounded: one block that moves and the blocks without movement after it are held
-/// ([TRC-LOOK-02]), and as many as are compared with each other ([TRC-INT-04]). Where a profile allows any number of those, they are held as runs of one traverse rate.
+/// Its memory is bounded: one block that moves and the blocks without movement after it are held ([TRC-LOOK-02]), and as
+/// many blocks that move as are compared with each other ([TRC-INT-04]). Where a profile allows any number of blocks
+/// without movement, they are held as runs of one traverse rate; but between blocks that are compared they are held one
+/// by one.
 /// The tool stands at (0, 0) when a program starts.
 ///
 /// # Exactness
