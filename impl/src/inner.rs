@@ -33,14 +33,13 @@ pub(crate) fn corner(
     turn: Turn,
     junction: &mut Junction,
 ) -> Result<(), AlarmKind> {
-    let tangent = turn.half_tangent();
     if first.arc.is_none() && second.arc.is_none() {
-        junction.set(clause::TRC_CORNER_03, first.end_vector(radius) - first.last * (radius * tangent));
+        junction.set(clause::TRC_CORNER_03, first.end_vector(radius) - first.last * (radius * turn.half_tangent()));
     } else if radius == 0.0 {
         // Without a radius P is the intersection, and on the normal of an arc.
         junction.set(clause::TRC_CORNER_04, first.end);
     } else {
-        let z = with_arc(first, second, radius, turn, tangent)?;
+        let z = with_arc(first, second, radius, turn)?;
         junction.set(clause::TRC_CORNER_04, first.end + z);
         junction.leave_normals();
     }
@@ -49,11 +48,9 @@ pub(crate) fn corner(
 
 /// The vector of an inner corner with an arc, relative to P.
 #[inline(always)]
-fn with_arc(first: &Element, second: &Element, radius: f64, turn: Turn, tangent: f64) -> Result<Vector, AlarmKind> {
+fn with_arc(first: &Element, second: &Element, radius: f64, turn: Turn) -> Result<Vector, AlarmKind> {
     let sine = turn.cross.abs();
-    // By products where the difference would lose digits, near a straight path and near a reversal.
-    let one_plus = if turn.dot >= 0.0 { 1.0 + turn.dot } else { sine / tangent };
-    let one_less = sine * tangent;
+    let (one_plus, one_less) = turn.one_and_cosine();
     let (curvature1, curvature2) = (first.end_curvature(), second.start_curvature());
     if curvature1.is_infinite() {
         // The circle of an entry move about P itself, which touches the other curve at its normal. [TRC-START-09]
@@ -69,11 +66,12 @@ fn with_arc(first: &Element, second: &Element, radius: f64, turn: Turn, tangent:
         Ordering::Less => return Err(AlarmKind::NoIntersection),
         // The curves touch.
         Ordering::Equal => 0.0,
-        Ordering::Greater => libm::sqrt(one_plus * meets),
+        Ordering::Greater => libm::sqrt(meets),
     };
     // w/2r, and z by its parts along the normal and against the tangent of the first element.
-    let share = 1.0 / (b + root);
+    let share = 1.0 / (b + libm::sqrt(one_plus) * root);
     let along_normal = radius * (1.0 + share * one_less * k1);
-    let back = radius * tangent * (1.0 + share * (k2 - turn.dot * k1));
+    // tan(φ/2)·(1 + (κ2 - d·κ1)·r/(b + √Δ)), without the difference that near a reversal leaves nothing of its terms.
+    let back = radius * share * (libm::sqrt(one_less) * root + sine * (1.0 - k1));
     Ok(first.end_normal() * along_normal - first.last * back)
 }
