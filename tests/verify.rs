@@ -115,9 +115,19 @@ fn distances_are_compared_exactly() {
         end(&mut near, 3)[0] = by;
         by_hand("exact", &inner(), &near)
     };
-    // The last move ends at (0, 50): so far off, and by one unit in the last place more.
-    is_confirmed(near(DELTA));
-    is_refuted(near(DELTA.next_up()), "part at N4");
+    // The last move ends at (0, 50). So far off, with two units in the last place of 50 for the judge's rounding, and by one
+    // unit of the sum more.
+    let most = DELTA + 2.0 * 50.0 * f64::EPSILON;
+    is_confirmed(near(most.next_down()));
+    is_refuted(near(most.next_up()), "part at N4");
+    // A refusal gets no allowance.
+    let refused = |by: f64| {
+        let mut off = answer(&inner());
+        end(&mut off, 3)[0] = by;
+        by_hand("inadmissible", &inner(), &off)
+    };
+    is_refuted(refused(DELTA), "is the exact outcome");
+    is_confirmed(refused(DELTA.next_up()));
 }
 
 #[test]
@@ -246,10 +256,10 @@ fn a_faulty_devices_report_is_confirmed_and_fits_the_schema() {
 
 #[test]
 fn a_sound_devices_report_is_confirmed_and_fits_the_schema() {
-    // Points so exact that the implementation needs witnesses. Program #1952 has a corner 22 km off, where half a unit in
-    // the last place of an f64 is more than δ: the judge compares in f64 and confirms its witness, the check does not.
+    // Points so exact that the implementation needs witnesses; and a corner 22 km off, where half a unit in the last place
+    // of an f64 is more than δ.
     let budget = Budget { grade: Grade::Binary64, least_increment: 0.001, delta: 1e-9 };
-    let report = reread(&judged(&mut Builtin, &budget, 1_950));
+    let report = reread(&judged(&mut Builtin, &budget, 3_000));
     assert!(report.cases.iter().any(|case| case.verdict == "admissible"), "{:?}", report.tally.verdicts);
     everything_is_confirmed(&report);
 }

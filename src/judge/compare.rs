@@ -208,19 +208,19 @@ fn differ(
         (Some(_), None) => return Some(Difference::Missing),
         _ => return Some(Difference::Surplus),
     };
-    let delta = tolerance.delta;
     let off = distance(expected.to, observed.to);
+    let is_off = off > tolerance.at(observed.to);
     match (expected.shape, observed.shape) {
-        (Shape::Hold, Shape::Hold) if off > delta => return Some(Difference::Place(off)),
+        (Shape::Hold, Shape::Hold) if is_off => return Some(Difference::Place(off)),
         (Shape::Hold, Shape::Hold) => return (blocks && expected.block != observed.block).then_some(Difference::Block),
         (Shape::Line, Shape::Line) => {}
         (Shape::Arc { centre: c1, direction: d1, full: f1 }, Shape::Arc { centre: c2, direction: d2, full: f2 }) => {
-            let near = 2.0 * delta;
+            let near = 2.0 * tolerance.delta;
             let extents = (expected.extent(near, 0.0), observed.extent(near, tolerance.grain));
             if d1 != d2 || f1 != f2 || !extents.0.agrees(extents.1) {
                 return Some(Difference::Kind);
             }
-            if distance(c1, c2) > delta {
+            if distance(c1, c2) > tolerance.at(c2) {
                 return Some(Difference::Centre(distance(c1, c2)));
             }
         }
@@ -229,7 +229,7 @@ fn differ(
     if expected.rapid != observed.rapid {
         return Some(Difference::Kind);
     }
-    if off > delta {
+    if is_off {
         return Some(Difference::End(off));
     }
     (blocks && expected.block != observed.block).then_some(Difference::Block)

@@ -58,6 +58,12 @@ impl Tolerance {
     pub(crate) fn new(delta: f64, beta: f64) -> Self {
         Tolerance { delta, grain: (16.0 * beta).min(delta) }
     }
+
+    /// How far a device's point may lie off: δ, and a unit in the last place of its larger coordinate, for what it is
+    /// compared with is rounded as well. A part of a metre makes 2⁻⁴² mm of that.
+    pub(crate) fn at(&self, [a, b]: [f64; 2]) -> f64 {
+        self.delta + f64::EPSILON * a.abs().max(b.abs())
+    }
 }
 
 /// How much of a turn an arc makes whose ends lie near each other.

@@ -7,7 +7,7 @@ use rug::Rational;
 
 use super::branches::{self, MOST_RUNS, Reception, Search};
 use super::path::Path;
-use super::walk::{self, Parting};
+use super::walk::{self, Parting, Reach};
 use super::{head, witness};
 use crate::device::Answer;
 use crate::report::{Case, Report};
@@ -56,9 +56,9 @@ fn judged(report: &Report, case: &Case, answer: &Answer) -> Result<(), String> {
         delta: delta(report, case)?,
     };
     match case.verdict.as_str() {
-        "exact" => question.is_outcome_of(&program, "the program"),
+        "exact" => question.is_outcome_of(&program, "the program", Reach::ACCEPTING),
         "admissible" => question.is_admissible(),
-        "admissible-without-witness" => match question.search() {
+        "admissible-without-witness" => match question.search(Reach::ACCEPTING) {
             Search::Found => Ok(()),
             Search::NotFound => Err("no combination of branches in the band has the answer's path".to_owned()),
             Search::TooMany => Err(format!("none of the first {MOST_RUNS} combinations of branches has its path")),
@@ -115,14 +115,14 @@ impl Question<'_> {
                 return Err(format!("the witness is said to change no number by more than {said:?} mm: {change:?} mm"));
             }
         }
-        self.is_outcome_of(&input, "the witness")
+        self.is_outcome_of(&input, "the witness", Reach::ACCEPTING)
     }
 
-    /// Whether the answer is the exact outcome of this program.
-    fn is_outcome_of(&self, program: &[Block<Rational>], name: &str) -> Result<(), String> {
+    /// Whether the answer is the exact outcome of this program, to within δ and so many units.
+    fn is_outcome_of(&self, program: &[Block<Rational>], name: &str, units: i64) -> Result<(), String> {
         let answer = self.answer.as_ref().ok_or("a number of the answer is not finite")?;
         let outcome = Path::of_run(&run(self.parameters, program));
-        walk::compare(&outcome, answer, &self.delta, &Real::from(&self.beta)).map_err(|parting| match parting {
+        walk::compare(&outcome, answer, &self.reach(units), &Real::from(&self.beta)).map_err(|parting| match parting {
             Parting::Path { block, .. } => {
                 format!("the answer is not the outcome of {name}: they part at N{}", block + 1)
             }
@@ -132,10 +132,10 @@ impl Question<'_> {
 
     /// Whether no outcome that was looked at is the answer; `all` of them have to be looked at.
     fn is_refused(&self, all: bool) -> Result<(), String> {
-        if self.is_outcome_of(self.program, "the program").is_ok() {
+        if self.is_outcome_of(self.program, "the program", Reach::REFUSING).is_ok() {
             return Err("the answer is the exact outcome".to_owned());
         }
-        match self.search() {
+        match self.search(Reach::REFUSING) {
             Search::NotFound => Ok(()),
             Search::TooMany if !all => Ok(()),
             Search::Found => Err("the answer is the outcome on other branches in the band".to_owned()),
@@ -143,12 +143,16 @@ impl Question<'_> {
         }
     }
 
-    /// Whether the answer is the outcome on some combination of branches in the band.
-    fn search(&self) -> Search {
+    fn reach(&self, units: i64) -> Reach {
+        Reach { delta: self.delta.clone(), units }
+    }
+
+    /// Whether the answer is the outcome on some combination of branches in the band, to within δ and so many units.
+    fn search(&self, units: i64) -> Search {
         let Some(answer) = &self.answer else { return Search::NotFound };
-        let beta = Real::from(&self.beta);
+        let (beta, reach) = (Real::from(&self.beta), self.reach(units));
         branches::search(self.parameters, self.program, nearest_f64(&self.beta), |run| {
-            match walk::compare(&Path::of_run(run), answer, &self.delta, &beta) {
+            match walk::compare(&Path::of_run(run), answer, &reach, &beta) {
                 Ok(()) => Reception::Accepted,
                 Err(Parting::Path { moves, .. }) => Reception::Refused { moves },
                 Err(Parting::Alarm) => Reception::Refused { moves: usize::MAX },

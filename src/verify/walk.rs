@@ -1,7 +1,8 @@
 //! Whether an answer is an outcome to within δ.
 //!
 //! Two walkers follow the two paths from (0, 0), each at any speed, never backwards, and never farther than δ from each
-//! other. The answer is the outcome to within δ if both can reach their ends so and the alarms are the same. They pass
+//! other. The answer is the outcome to within δ if both can reach their ends so and the alarms are the same. A verdict
+//! that accepts the answer allows the rounding of its coordinates beside δ, [`Reach`]. They pass
 //!
 //! * blocks without movement together, in the same block;
 //! * arcs together: same block, rate, sense and wholeness, and centres no farther than δ apart;
@@ -24,6 +25,7 @@ use std::collections::BTreeMap;
 use radcomp_model::Vector;
 use radcomp_model::number::Real;
 use radcomp_spec::Direction;
+use rug::Rational;
 
 use super::path::{Move, Path, Shape};
 
@@ -52,22 +54,48 @@ struct Place {
     answer_ahead: Option<Real>,
 }
 
+/// How far from the outcome the answer may lie: δ and, for the judge compares coordinates that are rounded to f64, so many
+/// units in the last place of the answer's larger coordinate.
+pub(super) struct Reach {
+    pub(super) delta: Real,
+    pub(super) units: i64,
+}
+
+impl Reach {
+    /// A verdict that accepts: the judge allows a unit, and rounds the outcome's coordinates by half of one.
+    pub(super) const ACCEPTING: i64 = 2;
+    /// A verdict that refuses.
+    pub(super) const REFUSING: i64 = 0;
+
+    /// The square of how far it may lie off at a point of the answer.
+    fn squared_at(&self, point: &Vector) -> Real {
+        let larger = point.a.abs().max(point.b.abs());
+        let unit = Real::rational(Rational::from((self.units, 1_u64 << 52)));
+        (&self.delta + &(&larger * &unit)).square()
+    }
+}
+
 struct Walk<'a> {
     outcome: &'a Path,
     answer: &'a Path,
+    reach: &'a Reach,
+    /// The square of δ.
     delta_squared: Real,
+    /// The square of how far the answer may lie off after so many moves.
+    reach_squared: Vec<Real>,
     grain_squared: Real,
     /// Places not looked at yet, in an order in which each comes after those that lead to it.
     places: BTreeMap<(usize, usize), Place>,
 }
 
 /// Compares an answer with an outcome.
-pub(super) fn compare(outcome: &Path, answer: &Path, delta: &Real, beta: &Real) -> Result<(), Parting> {
+pub(super) fn compare(outcome: &Path, answer: &Path, reach: &Reach, beta: &Real) -> Result<(), Parting> {
     let start = Place { both: true, ..Place::default() };
     let places = BTreeMap::from([((0, 0), start)]);
-    let grain = (beta * &Real::integer(16)).min(delta.clone());
-    let (delta_squared, grain_squared) = (delta.square(), grain.square());
-    let mut walk = Walk { outcome, answer, delta_squared, grain_squared, places };
+    let grain = (beta * &Real::integer(16)).min(reach.delta.clone());
+    let (delta_squared, grain_squared) = (reach.delta.square(), grain.square());
+    let reach_squared = (0..=answer.moves.len()).map(|moves| reach.squared_at(answer.after(moves))).collect();
+    let mut walk = Walk { outcome, answer, reach, delta_squared, reach_squared, grain_squared, places };
     let ends = (outcome.moves.len(), answer.moves.len());
     let mut farthest = (0, 0);
     // The walker on the outcome has come to no move behind this one.
@@ -119,12 +147,12 @@ impl Walk<'_> {
         }
         let (outcome, answer) = (self.outcome, self.answer);
         // The answer's move is done first.
-        let free = self.free(outcome.after(i), outcome.after(i + 1), answer.after(j + 1));
+        let free = self.free(outcome.after(i), outcome.after(i + 1), answer.after(j + 1), j + 1);
         if let Some(least) = earliest(free, &place.outcome_ahead, place.answer_ahead.is_some()) {
             self.reach(i, j + 1).outcome_ahead = Some(least);
         }
         // The outcome's is.
-        let free = self.free(answer.after(j), answer.after(j + 1), outcome.after(i + 1));
+        let free = self.free(answer.after(j), answer.after(j + 1), outcome.after(i + 1), j + 1);
         if let Some(least) = earliest(free, &place.answer_ahead, place.outcome_ahead.is_some()) {
             self.reach(i + 1, j).answer_ahead = Some(least);
         }
@@ -146,7 +174,7 @@ impl Walk<'_> {
                 same && here.rapid == there.rapid
                     && direction == direction_there
                     && full == full_there
-                    && self.is_near(centre, centre_there)
+                    && centre.minus(centre_there).length_squared() <= self.reach.squared_at(centre_there)
             }
             _ => false,
         }
@@ -179,14 +207,14 @@ impl Walk<'_> {
         if short { Way::Short } else { Way::Long }
     }
 
-    /// The part of the move from `start` to `end` that is no farther than δ from `point`: from where to where, each times
-    /// the square of the move's length.
-    fn free(&self, start: &Vector, end: &Vector, point: &Vector) -> Option<(Real, Real)> {
+    /// The part of the move from `start` to `end` that is no farther from `point` than the answer may lie off after so many
+    /// moves: from where to where, each times the square of the move's length.
+    fn free(&self, start: &Vector, end: &Vector, point: &Vector, moves: usize) -> Option<(Real, Real)> {
         let (along, to_point) = (end.minus(start), point.minus(start));
         let length_squared = along.length_squared();
         let projection = to_point.dot(&along);
         // |start + s·along - point|² ≤ δ², and σ = s·|along|², give σ² - 2·σ·projection + |along|²·spare ≤ 0.
-        let spare = to_point.length_squared() - &self.delta_squared;
+        let spare = to_point.length_squared() - &self.reach_squared[moves];
         if length_squared.is_zero() {
             return spare.sign().is_le().then(|| (Real::zero(), Real::zero()));
         }
@@ -196,13 +224,9 @@ impl Walk<'_> {
         (from <= to).then_some((from, to))
     }
 
-    /// Whether the two places lie no farther than δ apart.
+    /// Whether the two places lie no farther apart than the answer may lie off.
     fn near(&self, i: usize, j: usize) -> bool {
-        self.is_near(self.outcome.after(i), self.answer.after(j))
-    }
-
-    fn is_near(&self, p: &Vector, q: &Vector) -> bool {
-        p.minus(q).length_squared() <= self.delta_squared
+        self.outcome.after(i).minus(self.answer.after(j)).length_squared() <= self.reach_squared[j]
     }
 
     fn reach(&mut self, i: usize, j: usize) -> &mut Place {

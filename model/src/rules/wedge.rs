@@ -51,8 +51,9 @@ pub(crate) fn forward(
     }
 }
 
-/// The exact answer for an arc, and how far its nearer boundary lies: where the tool's start and end are one point, or
-/// where the two sweeps differ by exactly a half turn.
+/// The exact answer for an arc, and how far its nearest boundary lies: where the tool's start and end are one point,
+/// where the two sweeps differ by exactly a half turn, or where the programmed end reaches the ray of the start, behind
+/// which a sweep of nothing is one of a whole turn.
 pub(super) fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Ordering, Real) {
     let Shape::Arc { centre, sense, full, entry, .. } = &element.shape else {
         return (Ordering::Greater, Real::zero());
@@ -61,13 +62,16 @@ pub(super) fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Or
     let tool_centre = entry.as_deref().map_or(centre, |entry| &entry.centre);
     let (from, to) = (start.minus(tool_centre), end.minus(tool_centre));
     let tool = Sweep::between(&from, &to, *sense);
-    let programmed = Sweep::between(&element.start.minus(centre), &element.end.minus(centre), *sense);
+    let to_end = element.end.minus(centre);
+    let programmed = Sweep::between(&element.start.minus(centre), &to_end, *sense);
     let backwards = differ_by_more_than_half_turn(&tool, &programmed, *full);
 
     let reach = from.length();
     let g = &programmed.relative;
     let difference = Vector::new(tool.relative.dot(g), g.cross(&tool.relative)).opposite();
     let margin = smaller(off_axis(&tool.relative, &reach), off_axis(&difference, &reach));
+    // The end of a full circle is its start, however the numbers are rounded.
+    let margin = if *full { margin } else { smaller(margin, off_axis(g, &to_end.length())) };
     if margin.is_zero() {
         (if backwards { Ordering::Less } else { Ordering::Equal }, margin)
     } else if backwards {
