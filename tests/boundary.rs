@@ -69,7 +69,20 @@ fn decisions(run: &Run, kind: DecisionKind) -> Vec<((usize, usize), &Decision)> 
 
 /// Why a triple does not lie as it says; nothing if it does.
 fn misplaced(triple: &Triple, profile: &Profile) -> Option<String> {
-    let runs = triple.programs.each_ref().map(|blocks| run(&profile.parameters, blocks));
+    let [below, on, above] = triple.programs.each_ref();
+    misplaced_about(on, [below, above], triple, profile).or_else(|| {
+        let [below, above] = triple.beside.as_ref()?;
+        misplaced_about(on, [below, above], triple, profile)
+    })
+}
+
+fn misplaced_about(
+    on: &[Block<Rational>],
+    neighbours: [&Vec<Block<Rational>>; 2],
+    triple: &Triple,
+    profile: &Profile,
+) -> Option<String> {
+    let runs = [neighbours[0], on, neighbours[1]].map(|blocks| run(&profile.parameters, blocks));
     let [below, on, above] = runs.each_ref().map(|run| decisions(run, triple.kind));
     let wanted = if triple.two_sided { Ordering::Less } else { Ordering::Greater };
     let mut seen = Vec::new();
@@ -123,6 +136,27 @@ fn every_program_has_three_decimals_and_can_be_written() {
     }
 }
 
+/// A device that compares with a tolerance of its own takes both neighbours for the boundary. Where their numbers differ
+/// from its by more than δ nothing else tells them apart.
+#[test]
+fn the_programs_beside_lie_just_outside_of_the_band() {
+    let profile = Profile::builtin("seed-mill").expect("built in");
+    let (mut beside, mut outside) = (0, 0);
+    for triple in boundary::all(SEED, PER_KIND / 3, Reach::of(&profile)) {
+        for blocks in triple.beside.iter().flatten() {
+            let beta = BUDGET.beta(blocks);
+            let run = run(&profile.parameters, blocks);
+            let nearest =
+                decisions(&run, triple.kind).iter().map(|(_, taken)| taken.margin.abs().to_f64()).fold(1.0, f64::min);
+            assert!(nearest < 1e6 * beta, "{}: {nearest} mm, β is {beta}", triple.kind.id());
+            beside += 1;
+            outside += u64::from(nearest > beta);
+        }
+    }
+    // Angles move less than points do.
+    assert!(outside * 100 >= beside * 95, "{outside} of {beside}");
+}
+
 #[test]
 fn one_seed_gives_the_same_triples() {
     let reach = Reach::of(&Profile::builtin("seed-mill").expect("built in"));
@@ -135,7 +169,8 @@ fn one_seed_gives_the_same_triples() {
 fn the_builtin_device_answers_every_triple_admissibly() {
     for profile in profiles() {
         for triple in boundary::all(SEED, PER_KIND, Reach::of(&profile)) {
-            for (name, blocks) in Triple::NAMES.iter().zip(&triple.programs) {
+            let names = Triple::NAMES.iter().chain(&Triple::BESIDE);
+            for (name, blocks) in names.zip(triple.programs.iter().chain(triple.beside.iter().flatten())) {
                 let verdict = judge(&mut Builtin, &profile.parameters, blocks, &BUDGET).verdict;
                 let what = format!("{} {} {name} ({})", profile.name, triple.kind.id(), triple.family);
                 assert!(!verdict.is_red(), "{what}: {verdict:?}\n{}", listing(blocks, &profile));
@@ -170,6 +205,26 @@ fn a_device_that_is_one_increment_off_is_caught() {
     }
     // Where both programs end in the same alarm, or the nudged number shapes no path, the answers are one.
     assert!(caught * 10 >= asked * 9, "{caught} of {asked}");
+}
+
+/// What lies beside the boundary taken for what lies on it: seen wherever the clause goes another way there, and not where
+/// both ways lead to one path to within δ, as at a tangent.
+#[test]
+fn a_device_with_a_tolerance_of_its_own_is_caught() {
+    let mut caught: BTreeMap<&str, (u32, u32)> = BTreeMap::new();
+    for profile in profiles() {
+        for triple in boundary::all(SEED, PER_KIND / 6, Reach::of(&profile)) {
+            let counts = caught.entry(triple.kind.id()).or_default();
+            for blocks in triple.beside.iter().flatten() {
+                let mut device = Mistaken(&triple.programs[1]);
+                counts.0 += u32::from(judge(&mut device, &profile.parameters, blocks, &BUDGET).verdict.is_red());
+                counts.1 += 1;
+            }
+        }
+    }
+    let never = caught.iter().filter(|(_, counts)| counts.0 == 0 && counts.1 > 0).map(|(kind, _)| *kind);
+    // Circles about one centre, and about centres that all but coincide, have one outcome.
+    assert_eq!(never.collect::<Vec<_>>(), ["centres-apart"], "{caught:?}");
 }
 
 /// Exactly fitting slots, arcs of exactly the tool's radius, exact reversals and tangent joins: ten thousand of them,

@@ -1,7 +1,11 @@
 #!/bin/bash -eu
 # Builds every target with cargo-fuzz and puts it where OSS-Fuzz and ClusterFuzzLite look, with its seeds and dictionary.
 cd "$SRC/radcomp/fuzz"
-cargo fuzz build -O
+# A coverage build has its flags from the environment.
+sanitizer=${SANITIZER:-address}
+[[ $sanitizer != coverage ]] || sanitizer=none
+# Optimised, with debug assertions: what `cargo fuzz run` builds.
+cargo fuzz build -O --debug-assertions --sanitizer "$sanitizer"
 
 release=target/x86_64-unknown-linux-gnu/release
 for target in model_and_implementation kernels metamorphic reader round_trip profile_file safety hostile_device hostile_caller; do

@@ -147,7 +147,7 @@ kinds! {
         /// [TRC-VEC-01]
         VectorCodeOutsideMode = "vector-code-outside-mode", TRC_VEC_01, "a code for vectors stands outside compensation";
         /// [TRC-INT-03], [TRC-INT-04], [TRC-INT-05]
-        Interference = "interference", TRC_INT_01, "vectors of several blocks would lead the tool backwards";
+        Interference = "interference", TRC_INT_04, "vectors of several blocks would lead the tool backwards";
         /// [TRC-MODE-07]
         OutOfRange = "out-of-range", TRC_MODE_07, "a number in this block is not finite, beyond a million metres, or a negative radius that is not allowed";
     }

@@ -5,6 +5,9 @@
 //! and scaled until every number is a whole number of thousandths of a millimetre. Its neighbours have one point or one
 //! radius of the contour moved by one least increment, 0.001 mm, to either side.
 //!
+//! Two more neighbours have it moved by the least power of ten that leaves the band of `binary64`. A device that compares
+//! with a tolerance of its own takes their decisions as it takes the one on the boundary, which is wrong on one side.
+//!
 //! One seed gives the same programs on every machine, each triple independent of the others.
 //!
 //! Some boundaries have no such programs, or only one side:
@@ -51,6 +54,7 @@ use radcomp_spec::{Block, DecisionKind};
 use rug::Rational;
 
 use crate::generate::Reach;
+use crate::judge::{Budget, Grade};
 pub use asked::is_asked;
 use choice::Choice;
 use figure::Figure;
@@ -67,11 +71,16 @@ pub struct Triple {
     pub two_sided: bool,
     /// One least increment toward a smaller margin, on the decision, and one toward a greater margin.
     pub programs: [Vec<Block<Rational>>; 3],
+    /// As near to the decision as the band of `binary64` allows, toward a smaller and a greater margin: with more decimals
+    /// than a control's increment has. None of `entry-arc`, where the moved centre lies as far off as the margin is small.
+    pub beside: Option<[Vec<Block<Rational>>; 2]>,
 }
 
 impl Triple {
     /// What the programs are called in reports, in their order.
     pub const NAMES: [&'static str; 3] = ["-1", "0", "+1"];
+    /// What the programs beside it are called.
+    pub const BESIDE: [&'static str; 2] = ["-ε", "+ε"];
 }
 
 /// How often a contour is drawn until one can be written in thousandths of a millimetre.
@@ -93,9 +102,29 @@ pub fn triples(kind: DecisionKind, seed: u64, number: u64, reach: Reach) -> Opti
     })?;
     let mut off = || [choice.between(-8, 8) * 1000 + 500, choice.between(-8, 8) * 1000 + 500];
     let ends = Ends { approach: off(), away: off(), code_apart: choice.below(3) == 0 };
-    let at = |steps| program::program(&place::neighbour(&figure, steps), &ends, reach);
-    Some(Triple { kind, family: figure.family, two_sided: figure.two_sided, programs: [at(-1), at(0), at(1)] })
+    let at = |steps: Rational| program::program(&place::neighbour(&figure, &steps), &ends, reach);
+    let programs = [-1, 0, 1].map(|steps| at(Rational::from(steps)));
+    let near = outside_the_band(&programs[1]);
+    let beside = (kind != DecisionKind::EntryArc).then(|| [at(Rational::from(-&near)), at(near)]);
+    Some(Triple { kind, family: figure.family, two_sided: figure.two_sided, programs, beside })
 }
+
+/// How many times the band a number is moved: the margin moves less than the number does.
+const TIMES_THE_BAND: f64 = 64.0;
+
+/// The least power of ten that is as many times the band of a program, in thousandths of a millimetre.
+fn outside_the_band(blocks: &[Block<Rational>]) -> Rational {
+    let budget = Budget { grade: Grade::Binary64, least_increment: 0.001, delta: 1e-6 };
+    let least = TIMES_THE_BAND * budget.beta(blocks) * 1000.0;
+    let mut near = Rational::from(1);
+    while near > least && near > LEAST {
+        near /= 10;
+    }
+    near * 10
+}
+
+/// A bound on that: what a contour of no size takes.
+const LEAST: f64 = 1e-12;
 
 /// The first `count_per_kind` triples of every decision.
 pub fn all(seed: u64, count_per_kind: u64, reach: Reach) -> impl Iterator<Item = Triple> {

@@ -56,12 +56,12 @@ fn scale(figure: &Figure, choice: &mut Choice) -> Option<Rational> {
 }
 
 /// The contour with its nudged number changed by so many least increments toward a greater margin.
-pub(super) fn neighbour(figure: &Figure, steps: i64) -> Figure {
+pub(super) fn neighbour(figure: &Figure, steps: &Rational) -> Figure {
     let mut moved = figure.clone();
     let toward = &figure.nudge.toward;
     let along_first = toward.a.clone().abs() >= toward.b.clone().abs();
     let component = if along_first { &toward.a } else { &toward.b };
-    let by = if component.is_negative() { -steps } else { steps };
+    let by = if component.is_negative() { Rational::from(-steps) } else { steps.clone() };
     if let Some(number) = number(&mut moved, figure.nudge.what, along_first) {
         *number += by;
     }

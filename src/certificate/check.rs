@@ -43,11 +43,12 @@ pub fn objections_to_report(report: &Report, whole: bool) -> Vec<String> {
     demand(report.counts.pass > 0, "no program has passed");
     demand(report.expected_failures.iter().all(|waiver| waiver.programs > 0), "a waiver covers no failure");
     let Ok(profile) = Profile::parse(&report.profile_file, &report.profile) else { return found };
-    let due = named_programs(&profile, report.seed, report.generated_programs) + report.generated_programs;
+    let due = named_programs(&profile, report.seed, report.generated_programs, report.grade.into())
+        + report.generated_programs;
     if report.tally.programs != due {
         found.push(format!("{} programs were judged, the level has {due}", report.tally.programs));
     } else if whole && found.is_empty() {
-        let due = TallyRecord::from(&recount(&profile, report.seed, report.generated_programs));
+        let due = TallyRecord::from(&recount(&profile, report.seed, report.generated_programs, report.grade.into()));
         found.extend(miscounted(&report.tally, &due));
     }
     found

@@ -48,7 +48,7 @@ pub(super) fn run<D: Device>(
 ) -> (Ledger, u64) {
     // How many programs a campaign has that runs until its time is up is known at its end.
     let programs = if course.time.is_some() { u64::MAX } else { campaign.programs };
-    let plan = Plan::new(&campaign.profile, campaign.seed, programs);
+    let plan = Plan::new(&campaign.profile, campaign.seed, programs, campaign.budget.grade);
     let work = Work::new(&plan, campaign, course);
     progress(work.locked().ledger.tally.programs);
     thread::scope(|scope| {

@@ -1,7 +1,7 @@
 //! The programs of a campaign in their order, in units that can be judged apart.
 //!
 //! A campaign is a sequence: the vectors, then rounds of generated programs with a boundary triple of every decision in
-//! each. A campaign of more rounds goes on where one of fewer ends, so that one that runs until its time is up judges the
+//! each; in grade `binary64` also the programs just outside of the band beside it. A campaign of more rounds goes on where one of fewer ends, so that one that runs until its time is up judges the
 //! programs that a campaign of a given number does.
 
 use std::ops::Range;
@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::boundary::{self, Triple};
 use crate::generate::{self, Reach};
+use crate::judge::Grade;
 use crate::vectors;
 
 /// Generated programs of a unit.
@@ -45,12 +46,13 @@ pub(super) struct Plan {
     reach: Reach,
     seed: u64,
     programs: u64,
+    grade: Grade,
 }
 
 impl Plan {
     /// The plan of a campaign with this seed and so many generated programs.
-    pub(super) fn new(profile: &Profile, seed: u64, programs: u64) -> Plan {
-        Plan { vectors: vector_programs(profile), reach: Reach::of(profile), seed, programs }
+    pub(super) fn new(profile: &Profile, seed: u64, programs: u64, grade: Grade) -> Plan {
+        Plan { vectors: vector_programs(profile), reach: Reach::of(profile), seed, programs, grade }
     }
 
     /// How many units it has.
@@ -71,7 +73,8 @@ impl Plan {
     /// How many vectors and boundary programs it has.
     pub(super) fn named(&self) -> u64 {
         let triples = (0..self.programs.div_ceil(SLICE)).flat_map(|slice| self.triples(slice));
-        self.vectors.len() as u64 + triples.map(|triple| triple.programs.len() as u64).sum::<u64>()
+        self.vectors.len() as u64
+            + triples.map(|triple| boundary_programs(triple, self.grade).len() as u64).sum::<u64>()
     }
 
     /// The units of one round more.
@@ -92,7 +95,7 @@ impl Plan {
         };
         let from = slice * SLICE;
         let numbers = from..from.saturating_add(SLICE).min(self.programs);
-        let named = self.triples(slice).flat_map(boundary_programs);
+        let named = self.triples(slice).flat_map(|triple| boundary_programs(triple, self.grade));
         let named = named.map(|(name, blocks)| Planned { name, number: None, blocks });
         named.chain(self.generated_programs(numbers)).collect()
     }
@@ -133,10 +136,13 @@ fn vector_programs(profile: &Profile) -> Vec<(String, Vec<Block<Rational>>)> {
     named
 }
 
-/// The three programs of a triple, with their names.
-fn boundary_programs(triple: Triple) -> Vec<(String, Vec<Block<Rational>>)> {
+/// The programs of a triple, with their names. Half a least increment is all of what lies beside it in grade `resolution`,
+/// and a control may not take as many decimals.
+fn boundary_programs(triple: Triple, grade: Grade) -> Vec<(String, Vec<Block<Rational>>)> {
+    let beside = if grade == Grade::Binary64 { Triple::BESIDE.as_slice() } else { &[] };
     let name = |place| format!("boundary {} {place} ({})", triple.kind.id(), triple.family);
-    Triple::NAMES.iter().map(name).zip(triple.programs).collect()
+    let names = Triple::NAMES.iter().chain(beside).map(name);
+    names.zip(triple.programs.into_iter().chain(triple.beside.into_iter().flatten())).collect()
 }
 
 #[cfg(test)]
@@ -145,7 +151,7 @@ mod tests {
 
     /// The names of a campaign's programs, in their order.
     fn names(programs: u64) -> Vec<String> {
-        let plan = Plan::new(&Profile::builtin("seed-mill").unwrap(), 3, programs);
+        let plan = Plan::new(&Profile::builtin("seed-mill").unwrap(), 3, programs, Grade::Binary64);
         (0..plan.units()).flat_map(|unit| plan.unit(unit)).map(|planned| planned.name).collect()
     }
 
@@ -162,7 +168,7 @@ mod tests {
         for number in 0..ROUND + 130 {
             assert_eq!(names.iter().filter(|name| **name == format!("#{number}")).count(), 1, "{number}");
         }
-        let triples = names.iter().filter(|name| name.starts_with("boundary turn ")).count();
-        assert_eq!(triples, 3);
+        let of_a_triple = names.iter().filter(|name| name.starts_with("boundary turn ")).count();
+        assert_eq!(of_a_triple, 5);
     }
 }

@@ -7,12 +7,17 @@ use rug::Rational;
 
 use super::plan::Plan;
 use super::tally::Tally;
-use crate::judge::{Judged, Verdict};
+use crate::judge::{Grade, Judged, Verdict};
 
 /// Every program that a campaign with this seed and so many generated programs judges, in their order, each with its name:
 /// vectors, then boundary triples among the generated programs. One seed gives the same programs on every machine.
-pub fn programs(profile: &Profile, seed: u64, count: u64) -> impl Iterator<Item = (String, Vec<Block<Rational>>)> {
-    let plan = Plan::new(profile, seed, count);
+pub fn programs(
+    profile: &Profile,
+    seed: u64,
+    count: u64,
+    grade: Grade,
+) -> impl Iterator<Item = (String, Vec<Block<Rational>>)> {
+    let plan = Plan::new(profile, seed, count, grade);
     let planned = (0..plan.units()).flat_map(move |unit| plan.unit(unit));
     // Several examples of one clause may share a name, and triples of one family do.
     let mut named = 0..;
@@ -23,15 +28,15 @@ pub fn programs(profile: &Profile, seed: u64, count: u64) -> impl Iterator<Item 
 }
 
 /// How many vectors and programs on a decision's boundary a campaign judges beside the generated ones.
-pub fn named_programs(profile: &Profile, seed: u64, count: u64) -> u64 {
-    Plan::new(profile, seed, count).named()
+pub fn named_programs(profile: &Profile, seed: u64, count: u64, grade: Grade) -> u64 {
+    Plan::new(profile, seed, count, grade).named()
 }
 
 /// What a campaign with this seed and so many generated programs counts whatever the device: the model's part of a tally,
 /// every program counted as exact.
-pub fn recount(profile: &Profile, seed: u64, count: u64) -> Tally {
+pub fn recount(profile: &Profile, seed: u64, count: u64, grade: Grade) -> Tally {
     let mut tally = Tally::default();
-    for (_, blocks) in programs(profile, seed, count) {
+    for (_, blocks) in programs(profile, seed, count, grade) {
         let exact = run(&profile.parameters, &blocks);
         tally.add(&blocks, &Judged { verdict: Verdict::Exact, exact, answer: None }, 1.0);
     }

@@ -58,7 +58,8 @@ impl Check {
         let campaign = self.judging.campaign(self.programs, 1)?;
         let mut answers = self.answers()?;
         let mut recorded = Recorded::new(&campaign);
-        for (name, blocks) in programs(&campaign.profile, campaign.seed, campaign.programs) {
+        let grade = campaign.budget.grade;
+        for (name, blocks) in programs(&campaign.profile, campaign.seed, campaign.programs, grade) {
             let missing = || Err(DeviceFault::NoAnswer("no line has this id".to_owned()));
             let answer = match answers.remove(&name) {
                 None => missing(),
@@ -73,7 +74,7 @@ impl Check {
         if let Some(id) = answers.keys().min() {
             let count = answers.len();
             return Err(Failure::Input(format!(
-                "{count} answers are for programs that were not asked, such as {id:?}; were the requests made with the same profile, seed and number of programs?"
+                "{count} answers are for programs that were not asked, such as {id:?}; were the requests made with the same profile, seed, number of programs and grade?"
             )));
         }
         verdict

@@ -7,13 +7,14 @@ use radcomp::certify::programs;
 use radcomp::device::wire::{ProfileRecord, request};
 
 use super::failure::{Failure, Verdict};
+use super::judging::GradeName;
 use super::{options, terminal};
 
 /// Write the programs of a certification as requests, for a control that cannot be driven
 #[derive(Debug, Args)]
 #[command(after_help = "\
 One request a line; answers to them, one a line, go to `radcomp check` with the
-same profile, seed and number of programs.
+same profile, seed, number of programs and grade.
 
 Example:
   radcomp gen --profile seed-mill > requests.jsonl
@@ -31,6 +32,10 @@ pub struct Gen {
     /// The seed of the generated programs
     #[arg(long, default_value = "1")]
     seed: u64,
+
+    /// The grade of the judgement; `binary64` has programs with more decimals than a control's increment
+    #[arg(long, value_enum, default_value = "binary64")]
+    grade: GradeName,
 }
 
 impl Gen {
@@ -39,7 +44,7 @@ impl Gen {
         let profile = options::profile(&self.profile)?;
         let record = ProfileRecord::new(&profile, &profile.parameters);
         let mut out = terminal::output();
-        for (name, blocks) in programs(&profile, self.seed, self.programs) {
+        for (name, blocks) in programs(&profile, self.seed, self.programs, self.grade.into()) {
             // A program that cannot be told is missing on both sides.
             if let Ok(line) = request(&name, &profile, &record, &blocks) {
                 out.write_all(line.as_bytes())?;

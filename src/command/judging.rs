@@ -64,11 +64,20 @@ pub struct Pages {
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum GradeName {
+pub enum GradeName {
     /// 2^-40 times the largest number of the program
     Binary64,
     /// Half the least input increment
     Resolution,
+}
+
+impl From<GradeName> for Grade {
+    fn from(name: GradeName) -> Grade {
+        match name {
+            GradeName::Binary64 => Grade::Binary64,
+            GradeName::Resolution => Grade::Resolution,
+        }
+    }
 }
 
 /// A length in millimetres, greater than 0.
@@ -86,10 +95,7 @@ impl Judging {
             seed: self.seed,
             programs,
             budget: Budget {
-                grade: match self.grade {
-                    GradeName::Binary64 => Grade::Binary64,
-                    GradeName::Resolution => Grade::Resolution,
-                },
+                grade: self.grade.into(),
                 least_increment: f64::from(increment.numerator) / f64::from(increment.denominator),
                 delta: self.delta,
             },

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use radcomp::judge::{Budget, Grade, judge};
-use radcomp::report::{Case, GradeRecord, Report, case as recorded};
+use radcomp::report::{Case, Report, case as recorded};
 use radcomp_spec::profile::Profile;
 use radcomp_spec::{Block, Parameters};
 use rug::Rational;
@@ -49,10 +49,7 @@ impl Replay {
         let parameters = Parameters::from(&report.parameters);
         let name = device::named(self.device.as_deref().unwrap_or(&report.device))?;
         let mut device = name.open(&profile, self.limits.limits());
-        let grade = match report.grade {
-            GradeRecord::Binary64 => Grade::Binary64,
-            GradeRecord::Resolution => Grade::Resolution,
-        };
+        let grade = Grade::from(report.grade);
         let budget = Budget { grade, least_increment: report.least_increment_mm.0, delta: report.delta_mm.0 };
         let cases = self.cases(&report);
         if cases.is_empty() && self.case.is_some() {

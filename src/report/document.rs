@@ -104,6 +104,15 @@ pub enum GradeRecord {
     Resolution,
 }
 
+impl From<GradeRecord> for Grade {
+    fn from(record: GradeRecord) -> Grade {
+        match record {
+            GradeRecord::Binary64 => Grade::Binary64,
+            GradeRecord::Resolution => Grade::Resolution,
+        }
+    }
+}
+
 impl GradeRecord {
     /// How wide the band is, in words.
     pub const fn band(self) -> &'static str {

@@ -12,6 +12,7 @@ use radcomp::device::linuxcnc::LinuxCnc;
 use radcomp::device::pipe::Limits;
 use radcomp::device::{Answer, Device, DeviceFault};
 use radcomp::gcode::{Tools, read};
+use radcomp::judge::Grade;
 use radcomp_spec::profile::Profile;
 use radcomp_spec::{Alarm, AlarmKind, Block, Direction, Segment};
 use rug::Rational;
@@ -234,7 +235,7 @@ fn an_interpreter_that_is_not_there_is_told() {
 #[test]
 fn programs_are_answered_by_the_hundred_and_more_a_second() {
     let profile = Profile::builtin("seed-mill").unwrap();
-    let programs: Vec<_> = programs(&profile, 1, 6000).map(|(_, blocks)| blocks).collect();
+    let programs: Vec<_> = programs(&profile, 1, 6000, Grade::Binary64).map(|(_, blocks)| blocks).collect();
     let mut device = device("seed-mill");
     // Starting up is not counted.
     assert!(device.answer(&profile.parameters, &blocks("seed-mill", "G01 X1\n")).is_ok());

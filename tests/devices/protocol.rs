@@ -7,6 +7,7 @@ use radcomp::certify::programs;
 use radcomp::device::pipe::{Limits, Pipe};
 use radcomp::device::wire::{Asked, ProfileRecord, Reply, SCHEMA, request};
 use radcomp::device::{Device, DeviceFault};
+use radcomp::judge::Grade;
 use radcomp_spec::profile::Profile;
 use radcomp_spec::{Block, Movement, Segment};
 use rug::Rational;
@@ -44,7 +45,7 @@ fn requests_and_answers_fit_the_schema() {
     for (name, _) in radcomp_spec::profile::BUILTIN {
         let profile = Profile::builtin(name).unwrap();
         let record = ProfileRecord::new(&profile, &profile.parameters);
-        let requests: String = programs(&profile, 1, 400)
+        let requests: String = programs(&profile, 1, 400, Grade::Binary64)
             .filter_map(|(id, blocks)| request(&id, &profile, &record, &blocks).ok())
             .collect();
         assert!(requests.lines().count() > 400);
@@ -185,7 +186,7 @@ fn a_request_reads_back_to_its_program() {
     for (name, _) in radcomp_spec::profile::BUILTIN {
         let profile = Profile::builtin(name).unwrap();
         let record = ProfileRecord::new(&profile, &profile.parameters);
-        for (id, blocks) in programs(&profile, 2, 400) {
+        for (id, blocks) in programs(&profile, 2, 400, Grade::Binary64) {
             let Ok(line) = request(&id, &profile, &record, &blocks) else { continue };
             let asked = Asked::read(line.as_bytes()).unwrap();
             assert_eq!((asked.id, asked.parameters, asked.blocks), (id, profile.parameters, blocks));

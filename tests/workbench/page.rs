@@ -128,7 +128,7 @@ fn blocks_alarms_and_faults_are_told_with_their_clauses() {
     let slot = browser.text(example);
     browser.settle(&set("example", &slot));
     let alarm = browser.text("document.querySelector('#state .alarm').innerText");
-    for words in ["interference", "N50, line 6", "TRC-INT-01", "would lead the tool backwards"] {
+    for words in ["interference", "N50, line 6", "TRC-INT-04", "would lead the tool backwards"] {
         assert!(alarm.contains(words), "{words}: {alarm}");
     }
     assert_eq!(browser.value("document.querySelectorAll('.drawing .cross').length"), 1);

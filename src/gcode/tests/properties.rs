@@ -151,8 +151,14 @@ fn has_alarm(machine: &Machine, kind: AlarmKind) -> bool {
     }
 }
 
+/// A thousand cases of each, unless `PROPTEST_CASES` says how many.
+fn cases() -> ProptestConfig {
+    let given = ProptestConfig::default();
+    if std::env::var_os("PROPTEST_CASES").is_some() { given } else { ProptestConfig { cases: 1000, ..given } }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1000))]
+    #![proptest_config(cases())]
 
     #[test]
     fn what_is_printed_reads_back(profile in profile(), blocks in prop::collection::vec(block(), 0..12)) {

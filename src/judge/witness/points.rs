@@ -39,8 +39,8 @@ impl Search<'_> {
     pub(in crate::judge) fn for_points(&self, exact: &Run) -> Option<Witness> {
         let divergence = self.divergence(exact)?;
         let gap = gap(&divergence)?;
-        // The vector of a wedge follows its angle with the square of its length.
-        let [a, b] = divergence.expected?.to;
+        // The vector of a wedge follows its angle with the square of its length, as the centre of a large circle does.
+        let [a, b] = aim(&divergence.expected?, &divergence);
         if gap[0].hypot(gap[1]) > self.beta * (a * a + b * b).max(FARTHEST) {
             return None;
         }
