@@ -10,7 +10,7 @@ use radcomp_model::number::Real;
 use radcomp_model::{Decision, Run, run};
 use radcomp_spec::parameters::{Cancel, Parameters, SameCode, SideChange, StartUp};
 use radcomp_spec::profile::{BUILTIN, Profile};
-use radcomp_spec::{Block, Centre, Compensation, DecisionKind, Movement, Segment, Side};
+use radcomp_spec::{AlarmKind, Block, Centre, Compensation, DecisionKind, Movement, Segment, Side};
 use rug::Rational;
 
 /// The exact image of a point.
@@ -72,32 +72,32 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn translation_commutes(profile in 0_usize..14, seed: u64, a in -100_000_i64..100_000, b in -100_000_i64..100_000) {
+    fn translation_commutes(profile in 0..BUILTIN.len(), seed: u64, a in -100_000_i64..100_000, b in -100_000_i64..100_000) {
         let (parameters, blocks) = program(profile, seed);
         commutes(&parameters, &blocks, &Motion::translation(a, b))?;
     }
 
     #[test]
-    fn mirroring_swaps_the_sides(profile in 0_usize..14, seed: u64) {
+    fn mirroring_swaps_the_sides(profile in 0..BUILTIN.len(), seed: u64) {
         let (parameters, blocks) = program(profile, seed);
         commutes(&parameters, &blocks, &Motion::mirroring())?;
     }
 
     #[test]
-    fn scaling_by_ten_commutes(profile in 0_usize..14, seed: u64) {
+    fn scaling_by_ten_commutes(profile in 0..BUILTIN.len(), seed: u64) {
         let (parameters, blocks) = program(profile, seed);
         commutes(&parameters, &blocks, &Motion::scaling())?;
     }
 
     #[test]
-    fn rotation_by_a_pythagorean_angle_commutes(profile in 0_usize..14, seed: u64, which in 0_usize..3) {
+    fn rotation_by_a_pythagorean_angle_commutes(profile in 0..BUILTIN.len(), seed: u64, which in 0_usize..3) {
         let (parameters, blocks) = program(profile, seed);
         let (a, b, c) = [(3, 4, 5), (-5, 12, 13), (0, -1, 1)][which];
         commutes(&parameters, &blocks, &Motion::rotation(a, b, c))?;
     }
 
     #[test]
-    fn reversal_swaps_the_sides(profile in 0_usize..14, seed: u64) {
+    fn reversal_swaps_the_sides(profile in 0..BUILTIN.len(), seed: u64) {
         let (parameters, blocks) = program(profile, seed);
         if has_no_sense_of_time(&parameters) {
             reverses(&parameters, &blocks)?;
@@ -245,4 +245,29 @@ fn reverses(parameters: &Parameters, blocks: &[Block<Rational>]) -> Result<(), T
         prop_assert!(alike, "{:?} {:?}", one, other);
     }
     Ok(())
+}
+
+/// A groove, with so many blocks without movement between its ground and its second wall.
+fn groove(width: i64, radius: i64, pauses: usize) -> Run {
+    let profile = Profile::changed("seed-mill", "rows", [("interference", r#""alarm""#)]).expect("a profile");
+    let line = |a: i64, b: i64| Block::moving(Movement::Line { end: [rational(a, 1000), rational(b, 1000)] });
+    let mut blocks = vec![line(-5_000, 90_000), line(0, 90_000), line(0, 0), line(width, 0), line(width, 90_000)];
+    (blocks[1].compensation, blocks[1].radius) = (Some(Compensation::On(Side::Left)), Some(rational(radius, 1000)));
+    blocks.splice(4..4, std::iter::repeat_n(Block::empty(), pauses));
+    blocks.push(Block { compensation: Some(Compensation::Off), ..line(width + 50_000, 95_000) });
+    run(&profile.parameters, &blocks)
+}
+
+proptest! {
+    /// [TRC-INT-01] the walls of a groove are in one row; a junction that is settled without the next element ends it.
+    #[test]
+    fn vectors_are_compared_within_a_row(width in 1_i64..40_000, radius in 1_i64..20_000) {
+        let alarm = groove(width, radius, 0).alarm.map(|alarm| (alarm.block, alarm.kind));
+        let too_narrow = width < 2 * radius;
+        prop_assert_eq!(alarm, too_narrow.then_some((3, AlarmKind::Interference)));
+        // Three blocks without movement are more than may stand between the ground and the second wall: the row ends at
+        // the ground, on its own normal, and the second wall is not compared.
+        let paused = groove(width, radius, 3).alarm.map(|alarm| (alarm.block, alarm.kind));
+        prop_assert_eq!(paused, (width < radius).then_some((3, AlarmKind::Interference)));
+    }
 }
