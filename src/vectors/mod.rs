@@ -74,6 +74,7 @@ const FILES: &[(&str, &str)] = &[
     ("tv-5", include_str!("../../tests/vectors/tv-5.toml")),
     ("tv-8", include_str!("../../tests/vectors/tv-8.toml")),
     ("tv-10", include_str!("../../tests/vectors/tv-10.toml")),
+    ("edges", include_str!("../../tests/vectors/edges.toml")),
     ("interference", include_str!("../../tests/vectors/interference.toml")),
 ];
 

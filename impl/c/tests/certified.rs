@@ -12,6 +12,8 @@ const JUDGE: &str = "RADCOMP_JUDGE";
 /// The environment variable with the parts of the campaign to run, separated by commas: a failure of a part is one of
 /// the whole.
 const PARTS: &str = "RADCOMP_PARTS";
+/// The environment variable with the names of the profiles, separated by commas: all of the repository's without it.
+const PROFILES: &str = "RADCOMP_PROFILES";
 /// All of it, smallest part first: most faults show in the first hundred programs of one profile or another.
 const ALL_PARTS: &str = "1/480,1/48,1/1";
 
@@ -36,6 +38,10 @@ fn profiles() -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("the profiles are there");
     let mut profiles: Vec<_> = entries.map(|entry| entry.expect("it can be read").path()).collect();
     profiles.sort();
+    if let Ok(names) = std::env::var(PROFILES) {
+        let named = |path: &PathBuf| names.split(',').any(|name| path.file_stem().is_some_and(|stem| stem == name));
+        profiles.retain(named);
+    }
     assert!(!profiles.is_empty());
     profiles
 }
