@@ -1,8 +1,10 @@
 //! Tests of the reader and the printer. Behaviour is data, in `tests/gcode`.
 
 mod behaviour;
+mod printing;
 mod properties;
 mod streaming;
+mod tables;
 
 use radcomp_model::number::format_decimal;
 use radcomp_spec::{Centre, Compensation, Direction, Movement, OuterCorner, Side};

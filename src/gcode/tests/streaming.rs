@@ -1,5 +1,6 @@
 //! A program of a million lines, read in the memory of one.
 
+use std::cell::Cell;
 use std::io::{BufReader, Read};
 
 use radcomp_spec::profile::Profile;
@@ -40,14 +41,29 @@ fn a_million_lines_are_read_in_the_memory_of_one() {
     assert!(reader.buffer_capacity() <= 256, "the line buffer has grown to {} bytes", reader.buffer_capacity());
 }
 
+/// Blanks without end, and how many of them were taken.
+struct Counted<'a> {
+    given: &'a Cell<usize>,
+}
+
+impl Read for Counted<'_> {
+    fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
+        into.fill(b' ');
+        self.given.set(self.given.get() + into.len());
+        Ok(into.len())
+    }
+}
+
 #[test]
 fn a_line_without_end_is_not_read_into_memory() {
     let (profile, tools) = (Profile::builtin("seed-mill").unwrap(), tools());
-    let source = BufReader::new(std::io::repeat(b' '));
+    let given = Cell::new(0);
+    let source = BufReader::with_capacity(1, Counted { given: &given });
     let mut reader = Reader::new("endless.nc", source, &profile, &tools);
     let fault = reader.next().unwrap().unwrap_err();
     assert_eq!((fault.kind, fault.line, fault.column as usize), (Kind::LineTooLong, 1, MOST_LINE_BYTES + 1));
     assert!(reader.next().is_none());
+    assert_eq!(given.get(), MOST_LINE_BYTES + 2);
     assert!(reader.buffer_capacity() <= 4 * MOST_LINE_BYTES);
 }
 
@@ -57,7 +73,8 @@ fn the_longest_line_is_read_with_either_end() {
     for end in ["", "\n", "\r\n"] {
         let comment = "x".repeat(MOST_LINE_BYTES - "G01X1()".len());
         let text = format!("G01X1({comment}){end}");
-        assert_eq!(Reader::new("long.nc", text.as_bytes(), &profile, &tools).count(), 1);
+        let reads: Vec<_> = Reader::new("long.nc", text.as_bytes(), &profile, &tools).collect();
+        assert!(matches!(&reads[..], [Ok(_)]), "{reads:?}");
         let longer = format!(" {text}");
         let fault = Reader::new("long.nc", longer.as_bytes(), &profile, &tools).next().unwrap().unwrap_err();
         assert_eq!(fault.kind, Kind::LineTooLong);
@@ -81,4 +98,23 @@ fn a_source_that_fails_is_named() {
     let fault = reads[1].as_ref().unwrap_err();
     assert_eq!((reads.len(), fault.kind), (2, Kind::Unreadable));
     assert!(fault.to_string().contains("part.nc: the disk is gone"));
+    assert_eq!(fault.help.as_deref(), Some("lines before 2 were read"));
+    let at_once = Reader::new("part.nc", BufReader::new(Broken), &profile, &tools).next().unwrap().unwrap_err();
+    assert_eq!((at_once.kind, at_once.help), (Kind::Unreadable, None));
+}
+
+#[test]
+fn a_byte_that_is_no_text_is_pointed_at() {
+    let (profile, tools) = (Profile::builtin("seed-mill").unwrap(), tools());
+    let fault =
+        Reader::new("part.nc", &b"G01 X1\nG01 (\xFFab) X2\n"[..], &profile, &tools).nth(1).unwrap().unwrap_err();
+    assert_eq!((fault.kind, fault.line, fault.column, fault.length), (Kind::NotText, 2, 6, 1));
+}
+
+#[test]
+fn a_block_tells_the_orientation_of_the_tool_it_selects() {
+    let (profile, tools) = (Profile::builtin("yasnac-lx").unwrap(), tools());
+    let reads = Reader::new("part.nc", &b"T0303\nG01 Z1\nT0101\n"[..], &profile, &tools);
+    let orientations: Vec<_> = reads.map(|read| read.unwrap().orientation).collect();
+    assert_eq!(orientations, [Some(3), None, None]);
 }
