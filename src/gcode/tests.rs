@@ -1,6 +1,7 @@
 //! Tests of the reader and the printer. Behaviour is data, in `tests/gcode`.
 
 mod behaviour;
+mod messages;
 mod printing;
 mod properties;
 mod streaming;
