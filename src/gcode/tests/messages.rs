@@ -1,5 +1,6 @@
-//! What is said of a character that no word has.
+//! What is said of what no word, no code and no profile has.
 
+use radcomp_spec::AlarmKind;
 use radcomp_spec::profile::Profile;
 
 use super::tools;
@@ -26,4 +27,36 @@ fn every_unexpected_character_has_its_message() {
             "{text}"
         );
     }
+}
+
+/// In offset mode each code asks its own parameter of the profile.
+#[test]
+fn each_code_that_is_not_for_offset_mode_has_its_own_rule() {
+    let codes = [
+        ("reference-return", "G28 X0", AlarmKind::ReferenceReturnInMode),
+        ("machine-coordinates", "G53 G00 X0", AlarmKind::MachineCoordinatesInMode),
+        ("set-coordinates", "G92 X0", AlarmKind::SetCoordinatesInMode),
+        ("canned-cycle", "G81 X0 Z0 R0", AlarmKind::CannedCycleInMode),
+        ("plane-change", "G18", AlarmKind::PlaneChangeInMode),
+    ];
+    for (parameter, ..) in codes {
+        let profile = Profile::changed("seed-mill", "own", [(parameter, r#""alarm""#)]).unwrap();
+        for (other, code, kind) in codes {
+            let program = format!("G41 D1 G01 X10\nX20\n{code}\n");
+            let read = read("part.nc", program.as_bytes(), &profile, &tools());
+            if other == parameter {
+                assert_eq!(read.unwrap().blocks[2].block.not_in_mode, Some(kind), "{code}");
+            } else {
+                assert_eq!(read.unwrap_err().kind, Kind::NotInMode, "{code} where {parameter} alone is an alarm");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_absent_code_tells_those_that_there_are() {
+    let profile = Profile::builtin("seed-mill").unwrap();
+    let fault = read("part.nc", b"G43 X1\n", &profile, &tools()).unwrap_err();
+    let message = "profile seed-mill has no G43; its codes of compensation are G40, G41, G42";
+    assert_eq!((fault.kind, fault.message.as_ref()), (Kind::AbsentCode, message));
 }

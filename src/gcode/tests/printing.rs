@@ -90,7 +90,13 @@ fn what_moves_prints_with_its_words() {
         Movement::Arc { end: point(2, 0), centre: Centre::FromStart(point(1, 0)), direction: Direction::Clockwise };
     assert_eq!(last(&[Block::moving(arc.clone())], &mill).as_deref(), Ok("G02 X2 Y0 I1 J0"));
     let rapid = Block { rapid: true, ..Block::moving(arc) };
-    assert_eq!(last(&[rapid], &mill), Err(PrintError::NoCode { block: 0, wanted: "an arc at rapid traverse" }));
+    let refused = PrintError::NoCode { block: 1, wanted: "an arc at rapid traverse" };
+    assert_eq!(refused.to_string(), "block 1: there is no code for an arc at rapid traverse");
+    assert_eq!(last(&[line(1, 1), rapid], &mill), Err(refused));
+    for value in [Rational::from(1_234_567_890), Rational::from((1, 10_000_000_000_u64))] {
+        let far = Block::moving(Movement::Line { end: [value.clone(), Rational::new()] });
+        assert_eq!(last(&[far], &mill), Err(PrintError::Number { block: 0, value }));
+    }
     let vector = Block { compensation: on(0, 0).compensation, vector: Some(point(3, -4)), ..Block::empty() };
     let blocks = [on(10, 0), line(20, 0), vector];
     assert_eq!(last(&blocks, &profile("mitsubishi-m700")).as_deref(), Ok("G41 G01 I3 J-4"));
