@@ -4,7 +4,7 @@ use radcomp_spec::profile::Profile;
 use radcomp_spec::{AlarmKind, Block, Centre, Compensation, Direction, Movement, OuterCorner, Side};
 use rug::Rational;
 
-use crate::gcode::{PrintError, print_blocks};
+use crate::gcode::{PrintError, Tool, Tools, print, print_blocks, read};
 
 fn profile(name: &str) -> Profile {
     Profile::builtin(name).unwrap()
@@ -81,6 +81,12 @@ fn tools_are_told_apart_by_size_and_orientation() {
     };
     assert!(with(99).unwrap().program.contains("T9999"));
     assert_eq!(with(100), Err(PrintError::TooManyRadii));
+
+    let tool = |orientation| Tool { orientation: Some(orientation), ..Tool::of_radius(Rational::from(1)) };
+    let tools = Tools::empty().with_tool(1, tool(3)).with_tool(2, tool(2));
+    let text = "T0101\nG42 G01 Z10 X0\nZ20\nG40 Z30\nT0202\nG42 Z40\nZ50\nG40 Z60\n";
+    let program = read("part.nc", text.as_bytes(), &lathe, &tools).unwrap();
+    assert_eq!(print(&program, &lathe).unwrap().tools, tools);
 }
 
 #[test]
@@ -105,6 +111,6 @@ fn what_moves_prints_with_its_words() {
 #[test]
 fn a_dummy_blocks_first_component_may_be_a_diameter() {
     let own = Profile::changed("yasnac-lx", "own", [("dummy-first-axis", r#""diameter""#)]).unwrap();
-    let dummy = Block::moving(Movement::Dummy { vector: point(1, 2) });
-    assert_eq!(last(&[on(10, 0), dummy], &own).as_deref(), Ok("G01 K1 I4"));
+    let dummy = Block::moving(Movement::Dummy { vector: point(1, 3) });
+    assert_eq!(last(&[on(10, 0), dummy], &own).as_deref(), Ok("G01 K1 I6"));
 }
