@@ -109,7 +109,7 @@ fn every_triple_lies_on_its_decision() {
         for kind in DecisionKind::ALL {
             let reach = Reach::of(&profile);
             for number in (0..PER_KIND).filter(|_| boundary::is_asked(*kind, reach)) {
-                let triple = boundary::triples(*kind, SEED, number, reach).expect("a contour is found");
+                let triple = boundary::with_beside(*kind, SEED, number, reach).expect("a contour is found");
                 let wrong = misplaced(&triple, &profile);
                 assert_eq!(wrong, None, "{} #{number}\n{}", profile.name, listing(&triple.programs[1], &profile));
             }

@@ -17,7 +17,11 @@ fn explain_names_the_clauses_of_the_seed_documents() {
         let (program, tools) = (folder.path().join("program.nc"), folder.path().join("tools.toml"));
         fs::write(&program, &vector.program).expect("a writable folder");
         let radius = vector.radius.as_deref().unwrap_or("0");
-        fs::write(&tools, format!("[[tool]]\nnumber = 1\nradius = \"{radius}\"\n")).expect("a writable folder");
+        let mut table = format!("[[tool]]\nnumber = 1\nradius = \"{radius}\"\n");
+        for (number, radius) in &vector.tools {
+            table += &format!("[[tool]]\nnumber = {number}\nradius = \"{radius}\"\n");
+        }
+        fs::write(&tools, table).expect("a writable folder");
         let mut command = Command::cargo_bin("radcomp").expect("the command");
         command.arg("explain").arg(&program).args(["--profile", &vector.profile, "--tools"]).arg(&tools);
         let output = command.output().expect("the command runs");

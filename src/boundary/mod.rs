@@ -50,7 +50,9 @@ mod program;
 mod wedge;
 mod words;
 
-use radcomp_spec::{Block, DecisionKind};
+use radcomp_model::number::Real;
+use radcomp_model::run;
+use radcomp_spec::{Block, DecisionKind, Segment};
 use rug::Rational;
 
 use crate::generate::Reach;
@@ -72,7 +74,8 @@ pub struct Triple {
     /// One least increment toward a smaller margin, on the decision, and one toward a greater margin.
     pub programs: [Vec<Block<Rational>>; 3],
     /// As near to the decision as the band of `binary64` allows, toward a smaller and a greater margin: with more decimals
-    /// than a control's increment has. None of `entry-arc`, where the moved centre lies as far off as the margin is small.
+    /// than a control's increment has. None unless asked for, and where the path leads more than a kilometre off, as beside a
+    /// reversal or an entry arc of no curvature: there f64 has hardly a digit left for δ.
     pub beside: Option<[Vec<Block<Rational>>; 2]>,
 }
 
@@ -90,6 +93,15 @@ const MOST_DRAWS: usize = 400;
 /// with margin zero. None for a decision that [`is_asked`] rules out, and if no contour was found within a bounded number
 /// of draws.
 pub fn triples(kind: DecisionKind, seed: u64, number: u64, reach: Reach) -> Option<Triple> {
+    drawn(kind, seed, number, reach, false)
+}
+
+/// The same triple, with the programs beside it, which takes two runs of the model.
+pub fn with_beside(kind: DecisionKind, seed: u64, number: u64, reach: Reach) -> Option<Triple> {
+    drawn(kind, seed, number, reach, true)
+}
+
+fn drawn(kind: DecisionKind, seed: u64, number: u64, reach: Reach, with_beside: bool) -> Option<Triple> {
     if !is_asked(kind, reach) {
         return None;
     }
@@ -104,13 +116,19 @@ pub fn triples(kind: DecisionKind, seed: u64, number: u64, reach: Reach) -> Opti
     let ends = Ends { approach: off(), away: off(), code_apart: choice.below(3) == 0 };
     let at = |steps: Rational| program::program(&place::neighbour(&figure, &steps), &ends, reach);
     let programs = [-1, 0, 1].map(|steps| at(Rational::from(steps)));
-    let near = outside_the_band(&programs[1]);
-    let beside = (kind != DecisionKind::EntryArc).then(|| [at(Rational::from(-&near)), at(near)]);
+    let beside = with_beside.then(|| {
+        let near = outside_the_band(&programs[1]);
+        [at(Rational::from(-&near)), at(near)]
+    });
+    let beside = beside.filter(|beside| !beside.iter().any(|blocks| leads_far(blocks, reach)));
     Some(Triple { kind, family: figure.family, two_sided: figure.two_sided, programs, beside })
 }
 
 /// How many times the band a number is moved: the margin moves less than the number does.
 const TIMES_THE_BAND: f64 = 64.0;
+
+/// A lower bound on how far, in thousandths of a millimetre: for a contour of no size.
+const LEAST: f64 = 1e-12;
 
 /// The least power of ten that is as many times the band of a program, in thousandths of a millimetre.
 fn outside_the_band(blocks: &[Block<Rational>]) -> Rational {
@@ -123,14 +141,24 @@ fn outside_the_band(blocks: &[Block<Rational>]) -> Rational {
     near * 10
 }
 
-/// A bound on that: what a contour of no size takes.
-const LEAST: f64 = 1e-12;
+/// How far off a path leads at most, in millimetres.
+const FAR: f64 = 1e6;
 
-/// The first `count_per_kind` triples of every decision.
+/// Whether a program's path has an end or a centre farther off than that.
+fn leads_far(blocks: &[Block<Rational>], reach: Reach) -> bool {
+    let is_far = |point: &[Real; 2]| point.iter().any(|coordinate| coordinate.to_f64().abs() > FAR);
+    run(reach.parameters(), blocks).steps.iter().any(|step| match &step.segment {
+        Segment::Hold => false,
+        Segment::Line { end } => is_far(end),
+        Segment::Arc { end, centre, .. } => is_far(end) || is_far(centre),
+    })
+}
+
+/// The first `count_per_kind` triples of every decision, with the programs beside them.
 pub fn all(seed: u64, count_per_kind: u64, reach: Reach) -> impl Iterator<Item = Triple> {
     DecisionKind::ALL
         .iter()
-        .flat_map(move |kind| (0..count_per_kind).filter_map(move |number| triples(*kind, seed, number, reach)))
+        .flat_map(move |kind| (0..count_per_kind).filter_map(move |number| with_beside(*kind, seed, number, reach)))
 }
 
 fn figure(kind: DecisionKind, choice: &mut Choice, reach: Reach) -> Option<Figure> {

@@ -73,8 +73,7 @@ impl Plan {
     /// How many vectors and boundary programs it has.
     pub(super) fn named(&self) -> u64 {
         let triples = (0..self.programs.div_ceil(SLICE)).flat_map(|slice| self.triples(slice));
-        self.vectors.len() as u64
-            + triples.map(|triple| boundary_programs(triple, self.grade).len() as u64).sum::<u64>()
+        self.vectors.len() as u64 + triples.map(|triple| boundary_programs(triple).len() as u64).sum::<u64>()
     }
 
     /// The units of one round more.
@@ -95,7 +94,7 @@ impl Plan {
         };
         let from = slice * SLICE;
         let numbers = from..from.saturating_add(SLICE).min(self.programs);
-        let named = self.triples(slice).flat_map(|triple| boundary_programs(triple, self.grade));
+        let named = self.triples(slice).flat_map(boundary_programs);
         let named = named.map(|(name, blocks)| Planned { name, number: None, blocks });
         named.chain(self.generated_programs(numbers)).collect()
     }
@@ -105,7 +104,9 @@ impl Plan {
         let (round, part) = (slice / SLICES, slice % SLICES);
         let is_whole = (round + 1).saturating_mul(ROUND) <= self.programs;
         let kinds = DecisionKind::ALL.iter().zip(0..).filter(move |(_, index)| is_whole && index % SLICES == part);
-        kinds.filter_map(move |(kind, _)| boundary::triples(*kind, self.seed, round, self.reach))
+        // Half a least increment is all of what lies beside it in grade `resolution`, and a control may not take as many decimals.
+        let drawn = if self.grade == Grade::Binary64 { boundary::with_beside } else { boundary::triples };
+        kinds.filter_map(move |(kind, _)| drawn(*kind, self.seed, round, self.reach))
     }
 
     fn generated_programs(&self, numbers: Range<u64>) -> impl Iterator<Item = Planned> {
@@ -136,12 +137,10 @@ fn vector_programs(profile: &Profile) -> Vec<(String, Vec<Block<Rational>>)> {
     named
 }
 
-/// The programs of a triple, with their names. Half a least increment is all of what lies beside it in grade `resolution`,
-/// and a control may not take as many decimals.
-fn boundary_programs(triple: Triple, grade: Grade) -> Vec<(String, Vec<Block<Rational>>)> {
-    let beside = if grade == Grade::Binary64 { Triple::BESIDE.as_slice() } else { &[] };
+/// The programs of a triple, with their names.
+fn boundary_programs(triple: Triple) -> Vec<(String, Vec<Block<Rational>>)> {
     let name = |place| format!("boundary {} {place} ({})", triple.kind.id(), triple.family);
-    let names = Triple::NAMES.iter().chain(beside).map(name);
+    let names = Triple::NAMES.iter().chain(&Triple::BESIDE).map(name);
     names.zip(triple.programs.into_iter().chain(triple.beside.into_iter().flatten())).collect()
 }
 
