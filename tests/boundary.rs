@@ -136,8 +136,7 @@ fn every_program_has_three_decimals_and_can_be_written() {
     }
 }
 
-/// A device that compares with a tolerance of its own takes both neighbours for the boundary. Where their numbers differ
-/// from its by more than δ nothing else tells them apart.
+/// What lies far outside of the band would not tell a device that compares with a tolerance of its own.
 #[test]
 fn the_programs_beside_lie_just_outside_of_the_band() {
     let profile = Profile::builtin("seed-mill").expect("built in");

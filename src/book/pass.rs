@@ -43,7 +43,7 @@ const VERDICTS: [(&str, &str); 6] = [
 const DIVERGENCES: [&str; 8] = [
     "The other branch of a decision whose exact margin lies within the band β: the table below. The boundary itself, at \
      margin zero, is decided by the clause, and the band is about it; so a device may round there to either side.",
-    "Points within δ of where their branch puts them. An intersection far from its corner magnifies a difference of the \
+    "Points within δ, and a unit in the last place, of where their branch puts them. An intersection far from its corner magnifies a difference of the \
      input ([TRC-WEDGE-01]): what passes there passes by its witness, not by a greater δ.",
     "A straight move in several pieces, or several straight moves on one line of one block in one piece ([TRC-CORNER-12] \
      says whose block a corner's moves are).",

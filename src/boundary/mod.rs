@@ -5,7 +5,7 @@
 //! and scaled until every number is a whole number of thousandths of a millimetre. Its neighbours have one point or one
 //! radius of the contour moved by one least increment, 0.001 mm, to either side.
 //!
-//! Two more neighbours have it moved by the least power of ten that leaves the band of `binary64`. A device that compares
+//! Two more neighbours have it moved by the least power of ten that is 64 bands of `binary64`. A device that compares
 //! with a tolerance of its own takes their decisions as it takes the one on the boundary, which is wrong on one side.
 //!
 //! One seed gives the same programs on every machine, each triple independent of the others.

@@ -104,7 +104,8 @@ impl Plan {
         let (round, part) = (slice / SLICES, slice % SLICES);
         let is_whole = (round + 1).saturating_mul(ROUND) <= self.programs;
         let kinds = DecisionKind::ALL.iter().zip(0..).filter(move |(_, index)| is_whole && index % SLICES == part);
-        // Half a least increment is all of what lies beside it in grade `resolution`, and a control may not take as many decimals.
+        // Half a least increment is all of what lies beside it in grade `resolution`, and a control may not take as many
+        // decimals.
         let drawn = if self.grade == Grade::Binary64 { boundary::with_beside } else { boundary::triples };
         kinds.filter_map(move |(kind, _)| drawn(*kind, self.seed, round, self.reach))
     }

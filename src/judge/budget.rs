@@ -20,7 +20,8 @@ pub struct Budget {
     pub grade: Grade,
     /// Least input increment of the control.
     pub least_increment: f64,
-    /// How far a point may lie from where its branch puts it.
+    /// How far a point may lie from where its branch puts it, beside a unit in the last place of its larger coordinate, for
+    /// coordinates are compared as f64.
     pub delta: f64,
 }
 
