@@ -40,15 +40,17 @@ pub fn judged(device: &mut dyn Device, bytes: &[u8]) -> Option<Judged> {
     Some(judged)
 }
 
-/// Whether a vector lies more than a kilometre from its corner, or an arc's centre so far off. There a change in the last
-/// place of a coordinate moves it by more than the farthest that the judge looks for a witness, so that a red verdict
-/// would say nothing.
+/// Whether a vector lies more than a kilometre from its corner, or the path or an arc's centre leads so far off. There a
+/// change in the last place of a coordinate moves it by more than the farthest that the judge looks for a witness, so that
+/// a red verdict would say nothing.
 fn is_far(run: &Run) -> bool {
-    let centre_is_far = |segment: &Segment<Real>| match segment {
-        Segment::Arc { centre, .. } => centre.iter().any(|value| value.to_f64().abs() > 1e6),
-        _ => false,
+    let point_is_far = |point: &[Real; 2]| point.iter().any(|value| value.to_f64().abs() > 1e6);
+    let is_far = |segment: &Segment<Real>| match segment {
+        Segment::Line { end } => point_is_far(end),
+        Segment::Arc { end, centre, .. } => point_is_far(end) || point_is_far(centre),
+        Segment::Hold => false,
     };
-    if run.steps.iter().any(|step| centre_is_far(&step.segment)) {
+    if run.steps.iter().any(|step| is_far(&step.segment)) {
         return true;
     }
     run.advisories

@@ -52,8 +52,9 @@ pub(crate) fn forward(
 }
 
 /// The exact answer for an arc, and how far its nearest boundary lies: where the tool's start and end are one point,
-/// where the two sweeps differ by exactly a half turn, or where the programmed end reaches the ray of the start, behind
-/// which a sweep of nothing is one of a whole turn.
+/// where the two sweeps differ by exactly a half turn, or where the programmed end is the start: a sweep of nothing is one
+/// of a whole turn. The chord is what tells the last, as no other of these lengths is ever equal to it by construction,
+/// which exact numbers take long to find out.
 pub(super) fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Ordering, Real) {
     let Shape::Arc { centre, sense, full, entry, .. } = &element.shape else {
         return (Ordering::Greater, Real::zero());
@@ -62,8 +63,7 @@ pub(super) fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Or
     let tool_centre = entry.as_deref().map_or(centre, |entry| &entry.centre);
     let (from, to) = (start.minus(tool_centre), end.minus(tool_centre));
     let tool = Sweep::between(&from, &to, *sense);
-    let to_end = element.end.minus(centre);
-    let programmed = Sweep::between(&element.start.minus(centre), &to_end, *sense);
+    let programmed = Sweep::between(&element.start.minus(centre), &element.end.minus(centre), *sense);
     let backwards = differ_by_more_than_half_turn(&tool, &programmed, *full);
 
     let reach = from.length();
@@ -71,7 +71,7 @@ pub(super) fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Or
     let difference = Vector::new(tool.relative.dot(g), g.cross(&tool.relative)).opposite();
     let margin = smaller(off_axis(&tool.relative, &reach), off_axis(&difference, &reach));
     // The end of a full circle is its start, however the numbers are rounded.
-    let margin = if *full { margin } else { smaller(margin, off_axis(g, &to_end.length())) };
+    let margin = if *full { margin } else { smaller(margin, element.end.minus(&element.start).length()) };
     if margin.is_zero() {
         (if backwards { Ordering::Less } else { Ordering::Equal }, margin)
     } else if backwards {
