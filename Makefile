@@ -3,6 +3,8 @@
 CARGO ?= cargo
 # The control profiles that `make certify` runs the built-in device against.
 PROFILES ?= $(basename $(notdir $(wildcard spec/profiles/*.toml)))
+# Profiles in which any two values of two parameters meet.
+COMBINATIONS := $(wildcard tests/combinations/*.toml)
 LEVEL ?= 1
 TARGET_DIR := $(or $(CARGO_TARGET_DIR),target)
 # Reports name the commit of the toolkit that wrote them.
@@ -11,7 +13,7 @@ build certify: export RADCOMP_COMMIT ?= $(shell git describe --always --dirty --
 LOCKED := $(if $(CI),--locked)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build book test prove fuzz-smoke nightly mutants certify bench lint doc
+.PHONY: help setup build book test prove fuzz-smoke nightly mutants certify certify-pairs bench lint doc
 
 help: ## List the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
@@ -52,6 +54,9 @@ certify: setup ## Certify the built-in device against each profile (PROFILES=…
 		echo "$(TARGET_DIR)/release/radcomp certify builtin --profile $$profile --level $(LEVEL)"; \
 		"$(TARGET_DIR)/release/radcomp" certify builtin --profile $$profile --level $(LEVEL) || status=1; \
 	done; exit $$status
+
+certify-pairs: ## The same for each profile of tests/combinations, in which any two values of parameters meet
+	@$(MAKE) --no-print-directory certify PROFILES="$(COMBINATIONS)" LEVEL=$(LEVEL)
 
 bench: setup ## Print the table of speed and size, each figure beside its reference
 	$(CARGO) bench $(LOCKED) --bench speed

@@ -1,6 +1,8 @@
 //! The model against the implementation: two readings of one text, on generated programs, under every profile and
 //! under every value of every parameter.
 
+use std::path::Path;
+
 use radcomp::certify::{Campaign, Level, Outcome, Waivers, certify};
 use radcomp::device::Builtin;
 use radcomp::judge::{Budget, Grade};
@@ -144,34 +146,57 @@ fn the_variants_and_the_built_in_profiles_have_every_value() {
     assert_eq!(missing, Vec::<String>::new());
 }
 
-/// Parameters at random: rules that no control has together meet too.
+/// The profiles of `tests/combinations`: rules that no control has together meet too.
+fn combinations() -> Vec<Profile> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/combinations");
+    let mut files: Vec<_> = std::fs::read_dir(folder).expect("is there").map(|file| file.expect("is").path()).collect();
+    files.sort();
+    files.iter().map(|file| Profile::load(file).unwrap_or_else(|error| panic!("{error}"))).collect()
+}
+
+/// A quarter of the programs of level 1: `make certify-pairs` runs all.
 #[test]
-fn random_combinations_of_parameters_agree() {
-    // A linear congruential generator: the choices are the same on every machine.
-    let mut state = 12_345_u64;
-    let mut below = |most: usize| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) as usize % most
-    };
-    for number in 0..40 {
-        let mut changes = Vec::new();
-        for parameter in PARAMETERS.iter().filter(|parameter| matters(parameter)) {
-            let words = words(parameter);
-            let value = match parameter.name() {
-                "corner-limit-cosine" | "smallest-corner-cosine" => {
-                    ["\"0\"", "\"0.6\"", "\"0.8\""][below(3)].to_owned()
-                }
-                "straight-band-cosine" => ["\"0\"", "\"0\"", "\"0.96\""][below(3)].to_owned(),
-                "small-vector-limit" => ["\"0\"", "\"0\"", "\"0.5\""][below(3)].to_owned(),
-                "non-moving-allowed" => ["1", "3", "\"unbounded\""][below(3)].to_owned(),
-                _ if words.is_empty() => continue,
-                _ => format!("{:?}", words[below(words.len())]),
-            };
-            changes.push(format!("{} = {value}", parameter.name()));
-        }
-        let outcome = run(changed("yasnac-lx", &changes), 500 + number, 1_500);
-        assert_green(&outcome, &changes.join("; "));
+fn combinations_of_values_agree() {
+    for (index, profile) in combinations().into_iter().enumerate() {
+        let name = profile.name.clone();
+        assert_green(&run(profile, 500 + index as u64, 6_000), &name);
     }
+}
+
+#[test]
+fn any_two_values_of_two_parameters_meet_in_a_combination() {
+    let combinations = combinations();
+    let values: Vec<(&str, Vec<String>)> = PARAMETERS
+        .iter()
+        .filter(|parameter| matters(parameter) && !of_the_reader_alone(parameter))
+        .map(|parameter| (parameter.key, words(parameter)))
+        .collect();
+    let has = |profile: &Profile, key, word: &str| profile.provenance_of(key).is_some_and(|entry| entry.value == word);
+    let mut missing = Vec::new();
+    for (index, (one, words)) in values.iter().enumerate() {
+        for (other, other_words) in &values[..index] {
+            for (word, other_word) in words.iter().flat_map(|word| other_words.iter().map(move |other| (word, other))) {
+                if !combinations.iter().any(|profile| has(profile, one, word) && has(profile, other, other_word)) {
+                    missing.push(format!("{one} = {word} and {other} = {other_word}"));
+                }
+            }
+        }
+    }
+    assert!(missing.is_empty(), "{} pairs: {:?}", missing.len(), missing.iter().take(10).collect::<Vec<_>>());
+}
+
+/// Codes that the reader refuses or turns into an alarm, and nothing else.
+fn of_the_reader_alone(parameter: &Parameter) -> bool {
+    let names = [
+        "plane-change",
+        "reference-return",
+        "machine-coordinates",
+        "set-coordinates",
+        "canned-cycle",
+        "offset-zero",
+        "tool-change",
+    ];
+    names.contains(&parameter.name())
 }
 
 #[test]

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::plan::Place;
 use crate::gcode::{Listing, print_blocks};
-use crate::judge::{Difference, Divergence, Verdict};
+use crate::judge::{self, Difference, Divergence, Stroke, Verdict};
 use crate::report::Case;
 
 /// A failed program.
@@ -125,8 +125,11 @@ impl fmt::Display for Divergent<'_> {
             }
         }
         if let (Some(expected), Some(observed)) = (&divergence.expected, &divergence.observed) {
-            let [a, b] = expected.to;
-            let [c, d] = observed.to;
+            let point = |stroke: &Stroke| match (&divergence.difference, &stroke.shape) {
+                (Difference::Centre(_), judge::Shape::Arc { centre, .. }) => *centre,
+                _ => stroke.to,
+            };
+            let ([a, b], [c, d]) = (point(expected), point(observed));
             write!(f, "; expected ({a:.6}, {b:.6}), got ({c:.6}, {d:.6})")?;
         }
         Ok(())

@@ -11,6 +11,7 @@ mod dice;
 mod features;
 mod shape;
 mod single;
+mod step;
 mod vectors;
 
 use radcomp_spec::parameters::{

@@ -10,7 +10,7 @@ pub enum Shape {
     CornerChain,
     /// Arcs, one after the other.
     ArcChain,
-    /// Into a slot and out of it, about as wide as the tool.
+    /// Into a slot and out of it, about as wide as the tool; or over a step or a notch that is narrower.
     Slot,
     /// A start-up and the first move behind it.
     StartUp,

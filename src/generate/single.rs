@@ -5,7 +5,7 @@ use rug::Rational;
 
 use super::contour::{Contour, DIRECTIONS, Move, MoveShape, SCALES, Whole};
 use super::dice::Dice;
-use super::{Reach, Shape, codes, contour, features, vectors};
+use super::{Reach, Shape, codes, contour, features, step, vectors};
 
 /// Radii of tool noses, in thousandths of a millimetre.
 const NOSES: [i64; 5] = [200, 400, 800, 1200, 1600];
@@ -14,9 +14,11 @@ const NOSES: [i64; 5] = [200, 400, 800, 1200, 1600];
 pub(super) fn program(shape: Shape, dice: &mut Dice, reach: Reach) -> Vec<Block<Rational>> {
     let scale = dice.pick(&SCALES);
     let start = [dice.between(-20, 20) * scale, dice.between(-20, 20) * scale];
+    let steps = shape == Shape::Slot && dice.once_in(2);
     let contour = match shape {
         Shape::CornerChain => chain(start, dice.between(3, 5), |at, heading| contour::line(at, heading, scale, dice)),
         Shape::ArcChain => chain(start, dice.between(2, 4), |at, heading| contour::arc(at, heading, scale, dice)),
+        Shape::Slot if steps => step::step(start, scale, dice),
         Shape::Slot => slot(start, scale, dice),
         Shape::Lathe => turned(start, scale, dice),
         Shape::StartUp => Contour {
@@ -33,6 +35,7 @@ pub(super) fn program(shape: Shape, dice: &mut Dice, reach: Reach) -> Vec<Block<
     };
     let side = dice.pick(&[Side::Left, Side::Right]);
     let radius = match shape {
+        Shape::Slot if steps => step::radius(&contour, dice),
         Shape::Slot => slot_radius(&contour, dice),
         Shape::Lathe if dice.once_in(2) => dice.pick(&NOSES),
         _ => codes::tool_radius(&contour.moves, dice),

@@ -18,7 +18,7 @@ impl Engine {
     /// [TRC-MODE-06] the order of the checks.
     pub(super) fn read(&mut self, number: usize, block: &Block<Rational>, judgement: &mut Judgement<'_>) -> Answer {
         let cancels = block.compensation == Some(Compensation::Off);
-        self.reading_cancel = cancels && self.mode == Mode::Offset;
+        self.reading_cancel = cancels && (self.mode == Mode::Offset || self.shift.is_some());
         if !mode::in_range(block, self.parameters.negative_radius) {
             return self.alarm(number, AlarmKind::OutOfRange, judgement);
         }

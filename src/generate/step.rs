@@ -1,0 +1,73 @@
+//! Steps and notches narrower than the tool: a long move, one to three short ones, and a long one that leads on.
+
+use radcomp_spec::Direction;
+
+use super::contour::{Contour, DIRECTIONS, Move, MoveShape, Whole, symmetric};
+use super::dice::Dice;
+
+/// A direction with a whole length.
+type Heading = (Whole, i64);
+
+/// Lines and arcs alike; the last long move most often leads whither the first one does, or to its side.
+pub(super) fn step(start: Whole, scale: i64, dice: &mut Dice) -> Contour {
+    let (vector, length) = dice.pick(&DIRECTIONS);
+    let ahead = (symmetric(vector, dice), length);
+    let short = (scale / 5).max(1);
+    let mut contour = Contour { start, moves: Vec::new(), entry: None };
+    let onward = add(&mut contour, ahead, 4 * scale, dice);
+    let mut heading = turned(onward, dice);
+    for _ in 0..dice.between(1, 3) {
+        let behind = add(&mut contour, heading, short, dice);
+        heading = turned(behind, dice);
+    }
+    if dice.once_in(2) {
+        heading = onward;
+    }
+    let behind = add(&mut contour, heading, 4 * scale, dice);
+    if dice.once_in(2) {
+        add(&mut contour, turned(behind, dice), 4 * scale, dice);
+    }
+    contour
+}
+
+/// A tool that is wider than the step, or as wide, or that goes in.
+pub(super) fn radius(contour: &Contour, dice: &mut Dice) -> i64 {
+    let short = contour.moves[1].size;
+    dice.pick(&[short / 2, short, short * 3 / 2, 2 * short, 3 * short, 4 * short, 6 * short]).max(1)
+}
+
+/// Adds a line or an arc that starts in a direction, about so long; answers the direction at its end.
+fn add(contour: &mut Contour, (vector, length): Heading, about: i64, dice: &mut Dice) -> Heading {
+    let at = contour.end();
+    let times = (about * dice.between(1, 4) / 2 / length).max(1);
+    let [a, b] = vector.map(|value| value * times);
+    let size = length * times;
+    if dice.once_in(2) {
+        contour.moves.push(Move { end: [at[0] + a, at[1] + b], shape: MoveShape::Line, size, rapid: false });
+        return (vector, length);
+    }
+    let (from_start, direction) =
+        if dice.once_in(2) { ([-b, a], Direction::Counterclockwise) } else { ([b, -a], Direction::Clockwise) };
+    let to_end = symmetric([a, b], dice);
+    let end = [at[0] + from_start[0] + to_end[0], at[1] + from_start[1] + to_end[1]];
+    contour.moves.push(Move { end, shape: MoveShape::Centre { from_start, direction }, size, rapid: false });
+    let [x, y] = to_end.map(|value| value / times);
+    match direction {
+        Direction::Counterclockwise => ([-y, x], length),
+        Direction::Clockwise => ([y, -x], length),
+    }
+}
+
+/// On, to a side at right angles, to any place symmetric to it, or another direction.
+fn turned((vector, length): Heading, dice: &mut Dice) -> Heading {
+    match dice.below(6) {
+        0 => (vector, length),
+        1 | 2 => ([-vector[1], vector[0]], length),
+        3 => ([vector[1], -vector[0]], length),
+        4 => (symmetric(vector, dice), length),
+        _ => {
+            let (vector, length) = dice.pick(&DIRECTIONS);
+            (symmetric(vector, dice), length)
+        }
+    }
+}
