@@ -16,7 +16,7 @@ LOCKED := $(if $(CI),--locked)
 .PHONY: help setup build book test prove fuzz-smoke nightly mutants certify certify-pairs bench lint doc
 
 help: ## List the targets
-	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 22
 
 setup: ## Install the system packages that the build needs, if any is missing
 	@scripts/setup

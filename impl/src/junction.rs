@@ -90,7 +90,8 @@ impl Junction {
     /// Drops so many moves, the last ones. [TRC-INT-03]
     pub fn drop_last(&mut self, moves: u8) {
         self.count = self.count.saturating_sub(moves);
-        self.round = self.round.filter(|_| self.count > 0);
+        // A corner by an arc has one move, and loses it.
+        self.round = None;
     }
 
     /// Drops so many vectors, the first ones; at least one is to be left. [TRC-INT-03]
@@ -100,7 +101,8 @@ impl Junction {
             (self.first, self.points) = (a, [b, c, c]);
             self.count -= 1;
         }
-        self.round = self.round.filter(|_| self.count > 0);
+        // A corner by an arc has one move, and loses it.
+        self.round = None;
     }
 
     /// An arc neither ends nor starts on its own normal: both meet in one point off their normals.

@@ -97,7 +97,8 @@ pub(crate) fn commons(first: &Element, second: &Element, radius: f64, turn: Turn
     };
     let one = point(root, nearer);
     let other = point(-root, both / nearer);
-    if root == 0.0 || both == 0.0 || !length_of(other.vector).is_finite() {
+    // The other one lies farther than numbers reach where `both` vanishes, as of two lines.
+    if root == 0.0 || !length_of(other.vector).is_finite() {
         return Commons::One(one);
     }
     Commons::Two(one, other)

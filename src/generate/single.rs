@@ -26,7 +26,12 @@ pub(super) fn program(shape: Shape, dice: &mut Dice, reach: Reach) -> Vec<Block<
             ..chain(start, dice.between(1, 2), |at, heading| contour::any(at, heading, scale, dice))
         },
         Shape::Cancel => chain(start, dice.between(1, 2), |at, heading| contour::any(at, heading, scale, dice)),
-        Shape::SideChange | Shape::WithoutMovement => {
+        // An arc that leads to the contour may have another side than what follows it.
+        Shape::SideChange => Contour {
+            entry: (reach.starts_on_arcs() && dice.once_in(2)).then(|| contour::entry(start, scale, dice)),
+            ..chain(start, dice.between(2, 3), |at, heading| contour::any(at, heading, scale, dice))
+        },
+        Shape::WithoutMovement => {
             chain(start, dice.between(2, 3), |at, heading| contour::any(at, heading, scale, dice))
         }
         Shape::SingleCorner | Shape::WholeProgram => {
@@ -44,7 +49,7 @@ pub(super) fn program(shape: Shape, dice: &mut Dice, reach: Reach) -> Vec<Block<
     let first = blocks.len();
     blocks.extend(contour.moves.iter().map(codes::block));
     match shape {
-        Shape::SideChange => change_side(&mut blocks[first..], side, dice),
+        Shape::SideChange => change_side(&mut blocks[first..], usize::from(contour.entry.is_none()), side, dice),
         Shape::SingleCorner | Shape::CornerChain => choose_corners(&mut blocks, dice, reach),
         _ => {}
     }
@@ -144,9 +149,10 @@ fn straight(end: Whole, size: i64) -> Move {
     Move { end, shape: MoveShape::Line, size, rapid: false }
 }
 
-/// The other side from one of the moves behind the first on, and at times the first side again from the next.
-fn change_side(moves: &mut [Block<Rational>], side: Side, dice: &mut Dice) {
-    let place = 1 + dice.below(moves.len() - 1);
+/// The other side from one of the moves on, the one at `first` or one behind it, and at times the first side again from the
+/// next.
+fn change_side(moves: &mut [Block<Rational>], first: usize, side: Side, dice: &mut Dice) {
+    let place = first + dice.below(moves.len() - first);
     moves[place].compensation = Some(Compensation::On(side.other()));
     if place + 1 < moves.len() && dice.once_in(3) {
         moves[place + 1].compensation = Some(Compensation::On(side));

@@ -60,3 +60,25 @@ fn an_absent_code_tells_those_that_there_are() {
     let message = "profile seed-mill has no G43; its codes of compensation are G40, G41, G42";
     assert_eq!((fault.kind, fault.message.as_ref()), (Kind::AbsentCode, message));
 }
+
+/// What stands beside a compensation code is refused as such, also where no dummy block is asked for.
+#[test]
+fn words_that_mean_nothing_beside_a_code_are_refused_with_the_code() {
+    let profile = Profile::builtin("fanuc-30i").unwrap();
+    let fault = read("part.nc", b"G01 G41 D1 I3 J-4\n", &profile, &tools()).unwrap_err();
+    assert_eq!(
+        (fault.column, fault.message.as_ref()),
+        (12, "profile fanuc-30i gives I, J and K no meaning beside a code of a side at start-up")
+    );
+}
+
+/// An arc that starts up has started: a vector may follow it that does not move.
+#[test]
+fn an_arc_starts_up() {
+    let values = [("start-up-arc", r#""moved-centre""#), ("side-code-vector", r#""right-angles""#)];
+    let profile = Profile::changed("seed-mill", "own", values).unwrap();
+    let program = |start: &str| format!("G00 X-20 Y0\nG41 D1 {start}\nG01 G41 I3 J-4\nX20\n");
+    let blocks = |start| read("part.nc", program(start).as_bytes(), &profile, &tools()).map(|read| read.blocks);
+    assert!(blocks("G03 X10 Y0 R30 F100").unwrap()[2].block.vector.is_some());
+    assert_eq!(blocks("F100").unwrap_err().column, 9, "no block has moved");
+}
