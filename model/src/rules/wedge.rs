@@ -9,7 +9,7 @@ use radcomp_spec::{AdvisoryKind, AlarmKind, DecisionKind};
 use crate::decision::Judgement;
 use crate::element::{Element, Shape};
 use crate::geometry::{Vector, smaller};
-use crate::number::Real;
+use crate::number::{Real, within_bits};
 use crate::sweep::{Sweep, differ_by_more_than_half_turn};
 
 /// Looks at one compensated block when the centre's positions at its start and end are settled. An arc is exempt when
@@ -52,9 +52,9 @@ pub(crate) fn forward(
 }
 
 /// The exact answer for an arc, and how far its nearest boundary lies: where the tool's start and end are one point,
-/// where the two sweeps differ by exactly a half turn, or where the programmed end is the start: a sweep of nothing is one
-/// of a whole turn. The chord is what tells the last, as no other of these lengths is ever equal to it by construction,
-/// which exact numbers take long to find out.
+/// where the two sweeps differ by exactly a half turn, or where the programmed end reaches the ray of the start, behind
+/// which a sweep of nothing is one of a whole turn. The last is as long as the first for a tool without a radius, and of two
+/// lengths that agree to [`ALIKE`] bits the first is told.
 pub(super) fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Ordering, Real) {
     let Shape::Arc { centre, sense, full, entry, .. } = &element.shape else {
         return (Ordering::Greater, Real::zero());
@@ -63,7 +63,8 @@ pub(super) fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Or
     let tool_centre = entry.as_deref().map_or(centre, |entry| &entry.centre);
     let (from, to) = (start.minus(tool_centre), end.minus(tool_centre));
     let tool = Sweep::between(&from, &to, *sense);
-    let programmed = Sweep::between(&element.start.minus(centre), &element.end.minus(centre), *sense);
+    let to_end = element.end.minus(centre);
+    let programmed = Sweep::between(&element.start.minus(centre), &to_end, *sense);
     let backwards = differ_by_more_than_half_turn(&tool, &programmed, *full);
 
     let reach = from.length();
@@ -71,7 +72,7 @@ pub(super) fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Or
     let difference = Vector::new(tool.relative.dot(g), g.cross(&tool.relative)).opposite();
     let margin = smaller(off_axis(&tool.relative, &reach), off_axis(&difference, &reach));
     // The end of a full circle is its start, however the numbers are rounded.
-    let margin = if *full { margin } else { smaller(margin, element.end.minus(&element.start).length()) };
+    let margin = if *full { margin } else { smaller_or_alike(margin, off_axis(g, &to_end.length())) };
     if margin.is_zero() {
         (if backwards { Ordering::Less } else { Ordering::Equal }, margin)
     } else if backwards {
@@ -79,6 +80,14 @@ pub(super) fn arc_margin(element: &Element, start: &Vector, end: &Vector) -> (Or
     } else {
         (Ordering::Greater, margin)
     }
+}
+
+/// Lengths that differ by less than 2 to the minus this are told as one: that they are equal takes exact numbers seconds.
+const ALIKE: i64 = 4096;
+
+/// The smaller of two numbers, or the first of two that are alike.
+fn smaller_or_alike(x: Real, y: Real) -> Real {
+    if within_bits(ALIKE, || y.cmp(&x)) == Some(Ordering::Less) { y } else { x }
 }
 
 /// The distance of a direction from the positive first axis at radius `reach`; at most `reach`.
