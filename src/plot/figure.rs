@@ -108,15 +108,15 @@ fn names(out: &mut String, scene: &Scene, frame: &Frame) {
 
 /// The scale at the right and the directions of the axes at the left, below the drawing.
 fn scale(out: &mut String, scene: &Scene, frame: &Frame) {
-    let (length, y) = (frame.round_length(), short(frame.bottom - 8.0));
+    let ((length, told), y) = (frame.round_length(), short(frame.bottom - 8.0));
     let (left, right) = (short(SHEET.width - 10.0 - frame.length(length)), SHEET.width - 10.0);
     let [first, second] = scene.axes.letters();
     let _ = write!(
         out,
-        "<path class=\"rule\" d=\"M{left} {}V{y}H{right}V{}\"/><text class=\"unit\" x=\"{}\" y=\"{}\">{length} mm</text>",
+        "<path class=\"rule\" d=\"M{left} {}V{y}H{right}V{}\"/><text class=\"unit length\" x=\"{}\" y=\"{}\">{told}</text>",
         y - 4.0,
         y - 4.0,
-        short(left.midpoint(right)),
+        right,
         y - 6.0
     );
     let _ = write!(

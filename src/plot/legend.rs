@@ -101,7 +101,7 @@ pub(super) fn mark(x: f64, y: f64, kind: MarkKind) -> Path {
 
 /// The scale bar at the right and the directions of the axes at the left, below the drawing.
 pub(super) fn scale_and_axes(document: Document, scene: &Scene, frame: &Frame) -> Document {
-    let (length, y) = (frame.round_length(), frame.bottom - 30.0);
+    let ((length, told), y) = (frame.round_length(), frame.bottom - 30.0);
     let (left, right) = (WIDTH - 40.0 - frame.length(length), WIDTH - 40.0);
     let bar = format!("M{left:.1} {:.1} v8 M{right:.1} {:.1} v8 M{left:.1} {y:.1} H{right:.1}", y - 4.0, y - 4.0);
     let (x, floor) = (44.0, frame.bottom - 24.0);
@@ -110,7 +110,7 @@ pub(super) fn scale_and_axes(document: Document, scene: &Scene, frame: &Frame) -
     let thin = format!("fill:none;stroke:{INK};stroke-width:1.2");
     document
         .add(Path::new().set("d", bar).set("style", &*thin))
-        .add(text(left.midpoint(right), y - 8.0, &format!("{length} mm"), INK).set("text-anchor", "middle"))
+        .add(text(right, y - 8.0, &told, INK).set("text-anchor", "end"))
         .add(Path::new().set("d", arrows).set("style", &*thin))
         .add(text(x + 37.0, floor + 4.0, &first.to_string(), INK))
         .add(axis_above(x, floor, second))
