@@ -8,7 +8,7 @@ use super::budget::Budget;
 use super::compare::Divergence;
 use super::fork::{self, Flip, Reception};
 use super::stroke::Tolerance;
-use super::witness::{Search, Witness};
+use super::witness::{Search, Ties, Witness};
 use crate::device::{Answer, Device, DeviceFault, ask};
 
 /// What the judge says of one answer.
@@ -108,7 +108,8 @@ fn measure(
     budget: &Budget,
 ) -> Verdict {
     let beta = budget.beta(blocks);
-    let search = Search { parameters, blocks, answer, beta, tolerance: Tolerance::new(budget.delta, beta) };
+    let search =
+        Search { parameters, blocks, answer, beta, tolerance: Tolerance::new(budget.delta, beta), ties: Ties::All };
     let Some(divergence) = search.divergence(exact) else { return Verdict::Exact };
     if let Some(witness) = search.for_points(exact) {
         return Verdict::Admissible(witness);

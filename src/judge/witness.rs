@@ -7,6 +7,7 @@
 mod flips;
 mod input;
 mod points;
+mod steps;
 
 use radcomp_model::number::within_bits;
 use radcomp_model::{Run, run};
@@ -17,6 +18,7 @@ use super::compare::{self, Divergence};
 use super::fork::{Flip, MOST_BITS};
 use super::stroke::Tolerance;
 use crate::device::Answer;
+pub(super) use input::Ties;
 
 /// An input whose exact outcome is the device's answer.
 #[derive(Clone, Debug)]
@@ -39,6 +41,8 @@ pub(super) struct Search<'a> {
     /// How far a number may be moved, in millimetres.
     pub(super) beta: f64,
     pub(super) tolerance: Tolerance,
+    /// Which blocks keep ending at one point.
+    pub(super) ties: Ties,
 }
 
 /// How often the way to a witness is halved to bring it nearer.

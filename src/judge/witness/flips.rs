@@ -31,7 +31,7 @@ impl Search<'_> {
             .flat_map(|step| [step.clone(), -step])
             .collect();
         let moved = |from: &[Block<Rational>], place: Place, step: &Rational| {
-            input::with(from, place, &(input::number_of(self.blocks, place) + step))
+            input::with(from, place, &(input::number_of(self.blocks, place) + step), self.ties)
         };
         let single = steps.iter().flat_map(|step| places.iter().map(move |place| moved(self.blocks, *place, step)));
         let double = steps.iter().flat_map(|step| {

@@ -57,18 +57,48 @@ fn place(block: &mut Block<Rational>, number: usize) -> Option<&mut Rational> {
     }
 }
 
-/// The blocks with one number replaced. Blocks that end at the same point keep ending at one point, so that a move of
-/// no length and a full circle stay what they are.
-pub(super) fn with(blocks: &[Block<Rational>], (index, number): Place, value: &Rational) -> Vec<Block<Rational>> {
+/// Which blocks keep ending at one point.
+#[derive(Clone, Copy, PartialEq)]
+pub(in crate::judge) enum Ties {
+    /// All that do: a path that turns back, or closes, still does so.
+    All,
+    /// Those one after the other: a move of no length and a full circle stay what they are.
+    Row,
+}
+
+/// The blocks with one number replaced.
+pub(super) fn with(
+    blocks: &[Block<Rational>],
+    (index, number): Place,
+    value: &Rational,
+    ties: Ties,
+) -> Vec<Block<Rational>> {
     let mut moved = blocks.to_vec();
-    let joint = if number < 2 { end_of(&blocks[index]) } else { None };
-    for (other, block) in moved.iter_mut().enumerate() {
-        let together = other == index || (joint.is_some() && end_of(block) == joint);
-        if together && let Some(place) = place(block, number) {
+    for other in tied(blocks, (index, number), ties) {
+        if let Some(place) = place(&mut moved[other], number) {
             place.clone_from(value);
         }
     }
     moved
+}
+
+/// The blocks in which a number is replaced together.
+fn tied(blocks: &[Block<Rational>], (index, number): Place, ties: Ties) -> Vec<usize> {
+    let Some(joint) = end_of(&blocks[index]).filter(|_| number < 2) else { return vec![index] };
+    let among = |others: &mut dyn Iterator<Item = usize>| -> Vec<usize> {
+        let ends = others.filter_map(|other| Some((other, end_of(&blocks[other])? == joint)));
+        let reached = ends.take_while(|(_, is_there)| *is_there || ties == Ties::All);
+        reached.filter(|(_, is_there)| *is_there).map(|(other, _)| other).collect()
+    };
+    let mut tied = among(&mut (0..index).rev());
+    tied.push(index);
+    tied.extend(among(&mut (index + 1..blocks.len())));
+    tied
+}
+
+/// Whether moving the numbers of these blocks together moves others than moving them in rows.
+pub(super) fn has_far_ties(blocks: &[Block<Rational>]) -> bool {
+    (0..blocks.len()).any(|index| tied(blocks, (index, 0), Ties::All) != tied(blocks, (index, 0), Ties::Row))
 }
 
 /// The blocks with one number replaced, and no other.

@@ -4,8 +4,9 @@ use radcomp_model::Run;
 use radcomp_spec::{Block, Segment};
 use rug::Rational;
 
-use super::input::{self, Place};
-use super::{Search, Witness};
+use super::input;
+use super::steps::{Lever, can_close, groups, steps};
+use super::{Search, Ties, Witness};
 use crate::judge::{Difference, Divergence, Shape, Stroke};
 
 /// How often an input is improved before the search is given up.
@@ -16,18 +17,29 @@ const NARROWER: [f64; 3] = [1.0, 1.0 / 32.0, 1.0 / 1024.0];
 const SHARES: [f64; 2] = [0.5, -0.5];
 /// A point that is farther off than so many bands is not looked for, except at the end of a wedge a kilometre long.
 const FARTHEST: f64 = 1e9;
-/// How often a step that does not help is halved.
-const HALVINGS: usize = 4;
-/// How often the numbers that have reached the edge of the band are set aside in one step.
-const MOST_PASSES: usize = 4;
-/// The share of the band that tells how far a number moves the point.
+/// No smaller share of a step is tried first.
+const LEAST_SHARE: f64 = 1.0 / 8.0;
+/// How many shares of a step are tried.
+const MOST_SHARES: usize = 9;
+/// The share of the band that tells how far a number moves the point, and later the share of the last step: the common
+/// point of circles that all but touch follows a number with a square root, as steeply as they are near.
 const PROBE: f64 = 1.0 / 16.0;
 
-/// A number, how far it stands from the program's, and how the point follows it, per millimetre.
-struct Lever {
-    place: Place,
-    at: f64,
-    pull: [f64; 2],
+/// An input whose divergent point is nearer to where the device has it.
+struct Improved {
+    input: Vec<Block<Rational>>,
+    divergence: Divergence,
+    /// The largest change of a number.
+    longest: f64,
+    /// The share of the steps that led here.
+    share: f64,
+}
+
+/// Where a step leads.
+enum Along {
+    Witness(Vec<Block<Rational>>),
+    Nearer(Box<Improved>),
+    Nowhere,
 }
 
 impl Search<'_> {
@@ -44,14 +56,17 @@ impl Search<'_> {
         if gap[0].hypot(gap[1]) > self.beta * (a * a + b * b).max(FARTHEST) {
             return None;
         }
-        if !can_close(&self.levers(self.blocks, &divergence)?, gap, self.beta) {
+        if !can_close(&self.levers(self.blocks, &divergence, PROBE * self.beta)?, gap, self.beta) {
             return None;
         }
         // What lies within a part of the band lies within it; where the point follows unevenly, small steps find it.
-        NARROWER.iter().find_map(|share| {
-            let narrower = Search { beta: self.beta * share, ..*self };
-            narrower.improved(self.blocks.to_vec(), divergence.clone())
-        })
+        let narrower = |ties| {
+            NARROWER.iter().find_map(|share| {
+                let narrower = Search { beta: self.beta * share, ties, ..*self };
+                narrower.improved(self.blocks.to_vec(), divergence.clone())
+            })
+        };
+        narrower(Ties::All).or_else(|| input::has_far_ties(self.blocks).then(|| narrower(Ties::Row)).flatten())
     }
 
     /// Looks for such an input from others than the program: one of its numbers moved to the edge of the band. They
@@ -77,33 +92,57 @@ impl Search<'_> {
     }
 
     fn improved(&self, mut best: Vec<Block<Rational>>, mut divergence: Divergence) -> Option<Witness> {
+        let mut probe = PROBE * self.beta;
         for _ in 0..MOST_ROUNDS {
             let gap = gap(&divergence)?;
-            let levers = self.levers(&best, &divergence)?;
+            let levers = self.levers(&best, &divergence, probe)?;
             if !can_close(&levers, gap, self.beta) {
                 return None;
             }
-            let mut improved: Option<(Vec<Block<Rational>>, Divergence)> = None;
+            let mut improved: Option<Improved> = None;
             for group in groups(&levers, divergence.block) {
-                let mut step = steps(&group, gap, self.beta);
-                for _ in 0..HALVINGS {
-                    let input = self.stepped(&best, &group, &step)?;
-                    let Some(left) = self.parting(&input)? else { return Some(self.nearest(input, &[])) };
-                    if is_nearer(&left, improved.as_ref().map_or(&divergence, |(_, known)| known)) {
-                        improved = Some((input, left));
-                        break;
-                    }
-                    // A step may lead to an alarm, or too far.
-                    step.iter_mut().for_each(|step| *step /= 2.0);
+                let known = improved.as_ref().map_or(&divergence, |improved| &improved.divergence);
+                match self.along(&best, &group, &steps(&group, gap, self.beta), known)? {
+                    Along::Witness(input) => return Some(self.nearest(input, &[])),
+                    Along::Nearer(nearer) => improved = Some(*nearer),
+                    Along::Nowhere => {}
                 }
             }
-            (best, divergence) = improved?;
+            let improved = improved?;
+            probe = probe.min(PROBE * improved.longest);
+            (best, divergence) = (improved.input, improved.divergence);
         }
         None
     }
 
+    /// Goes along these steps, halving them until the point comes nearer than it is known to come; then farther, while the
+    /// steps that lead too far are not met. None if an outcome takes too many bits.
+    fn along(&self, from: &[Block<Rational>], levers: &[&Lever], steps: &[f64], known: &Divergence) -> Option<Along> {
+        let mut nearest: Option<Improved> = None;
+        // Steps may lead to an alarm, or too far.
+        let (mut share, mut too_far) = (1.0, None);
+        for _ in 0..MOST_SHARES {
+            let step: Vec<f64> = steps.iter().map(|step| share * step).collect();
+            let input = self.stepped(from, levers, &step)?;
+            let Some(left) = self.parting(&input)? else { return Some(Along::Witness(input)) };
+            if is_nearer(&left, nearest.as_ref().map_or(known, |nearest| &nearest.divergence)) {
+                let longest = step.iter().fold(0.0_f64, |longest, step| longest.max(step.abs()));
+                nearest = Some(Improved { input, divergence: left, longest, share });
+            } else {
+                too_far = Some(share);
+            }
+            share = match (&nearest, too_far) {
+                (Some(nearest), Some(too_far)) => f64::midpoint(nearest.share, too_far),
+                (Some(_), None) => break,
+                (None, _) if share <= LEAST_SHARE => break,
+                (None, _) => share / 2.0,
+            };
+        }
+        Some(nearest.map_or(Along::Nowhere, |nearer| Along::Nearer(Box::new(nearer))))
+    }
+
     /// The numbers that move the divergent point.
-    fn levers(&self, best: &[Block<Rational>], divergence: &Divergence) -> Option<Vec<Lever>> {
+    fn levers(&self, best: &[Block<Rational>], divergence: &Divergence, probe: f64) -> Option<Vec<Lever>> {
         let aim = aim(divergence.expected.as_ref()?, divergence);
         let mut levers = Vec::new();
         for index in input::near(best, divergence.block) {
@@ -112,8 +151,8 @@ impl Search<'_> {
                 let now = input::number_of(best, place);
                 let at = (&now - input::number_of(self.blocks, place)).to_f64();
                 // Toward the program's own number, so that the probe stays within the band.
-                let probe = if at > 0.0 { -PROBE * self.beta } else { PROBE * self.beta };
-                let moved = input::with(best, place, &(now + Rational::from_f64(probe)?));
+                let probe = if at > 0.0 { -probe } else { probe };
+                let moved = input::with(best, place, &(now + Rational::from_f64(probe)?), self.ties);
                 // The probe may lead to an alarm before the point is reached.
                 let outcome = self.outcome(&moved)?;
                 let Some(reached) = nearest_point(&outcome, divergence, aim) else { continue };
@@ -134,73 +173,10 @@ impl Search<'_> {
             let home = input::number_of(self.blocks, lever.place);
             let off = input::number_of(best, lever.place) + Rational::from_f64(*step)? - &home;
             let off = off.clamp(&-beta.clone(), &beta);
-            input = input::with(&input, lever.place, &(home + off));
+            input = input::with(&input, lever.place, &(home + off), self.ties);
         }
         Some(input)
     }
-}
-
-/// Whether all the numbers together can close half of the gap, as far as the point follows them evenly.
-fn can_close(levers: &[Lever], gap: [f64; 2], beta: f64) -> bool {
-    let length = gap[0].hypot(gap[1]);
-    let pulls = levers.iter().map(|lever| (lever.pull[0] * gap[0] + lever.pull[1] * gap[1]).abs() * beta);
-    2.0 * pulls.sum::<f64>() >= length / 2.0 * length
-}
-
-/// The numbers that are moved together: all of them; then fewer, since a number may also belong to another junction that
-/// stands on a decision and must stay.
-fn groups(levers: &[Lever], block: usize) -> Vec<Vec<&Lever>> {
-    let mut indices: Vec<usize> = levers.iter().map(|lever| lever.place.0).collect();
-    indices.dedup();
-    let only = |keep: &dyn Fn(&Lever) -> bool| levers.iter().filter(|lever| keep(lever)).collect::<Vec<_>>();
-    let mut groups = vec![only(&|_| true), only(&|lever| lever.place.0 <= block)];
-    groups.extend(indices.iter().map(|index| only(&|lever| lever.place.0 == *index)));
-    groups.extend(levers.iter().map(|lever| vec![lever]));
-    groups.retain(|group| !group.is_empty());
-    groups
-}
-
-/// The smallest steps of the levers that close the gap: numbers at the edge of the band are held there, and the others
-/// take over what they cannot do.
-fn steps(levers: &[&Lever], gap: [f64; 2], beta: f64) -> Vec<f64> {
-    let mut steps = vec![0.0; levers.len()];
-    let mut free = vec![true; levers.len()];
-    for _ in 0..MOST_PASSES {
-        let mut left = gap;
-        let (mut aa, mut ab, mut bb) = (0.0, 0.0, 0.0);
-        for ((lever, step), free) in levers.iter().zip(&steps).zip(&free) {
-            let [a, b] = lever.pull;
-            if *free {
-                (aa, ab, bb) = (aa + a * a, ab + a * b, bb + b * b);
-            } else {
-                left = [left[0] - a * step, left[1] - b * step];
-            }
-        }
-        // Points that can move along one line only leave the matrix singular: a share of its trace keeps it solvable.
-        let lift = (aa + bb) * 1e-12;
-        let (aa, bb) = (aa + lift, bb + lift);
-        let determinant = aa * bb - ab * ab;
-        if determinant <= 0.0 {
-            break;
-        }
-        let dual = [(bb * left[0] - ab * left[1]) / determinant, (aa * left[1] - ab * left[0]) / determinant];
-        let mut held = false;
-        for ((lever, step), free) in levers.iter().zip(&mut steps).zip(&mut free) {
-            if !*free {
-                continue;
-            }
-            let wanted = lever.pull[0] * dual[0] + lever.pull[1] * dual[1];
-            *step = wanted.clamp(-beta - lever.at, beta - lever.at);
-            if *step != wanted {
-                *free = false;
-                held = true;
-            }
-        }
-        if !held {
-            break;
-        }
-    }
-    steps
 }
 
 /// How far the device's point lies from the outcome's, if it is a point that differs.
