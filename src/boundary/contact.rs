@@ -5,7 +5,7 @@ use radcomp_spec::Side;
 use rug::Rational;
 
 use super::arm::{covers, sign, swept};
-use super::choice::{Choice, unit};
+use super::choice::Choice;
 use super::figure::{Figure, What};
 use super::point::Point;
 
@@ -14,7 +14,7 @@ pub(super) fn contact_within(choice: &mut Choice) -> Option<Figure> {
     const MOST_DRAWS: usize = 100;
     match choice.below(4) {
         0 => Some(lines_at_right_angles(choice)),
-        1 => beyond_far_end(choice),
+        1 => (0..MOST_DRAWS).find_map(|_| beyond_far_end(choice)),
         2 => (0..MOST_DRAWS).find_map(|_| line_and_arc(choice)),
         _ => (0..MOST_DRAWS).find_map(|_| beyond_arc(choice)),
     }
@@ -31,26 +31,30 @@ fn lines_at_right_angles(choice: &mut Choice) -> Figure {
     figure.nudge(What::Vertex(2), Point::new(-1, 0))
 }
 
-/// A sharp turn away from the tool: the contact point lies `r·cot(|φ|/2)` before the corner, one radius before the start
-/// of a line of `r·(cot(|φ|/2) - 1)`. It lies farther off the other line, so that it never counts; that line comes
-/// second, where it is asked last.
+/// The line y = r meets the offset circle of the arc in (x, r), too far beyond its end at the origin, and in (-q, r), one
+/// radius before its start: the circle about (c, y) has `c = (x - q)/2`, and with `k = x·q/(2·r)` the arc passes the
+/// origin, the tool outside it, when `y = (k² - c²)/(2·k)`.
 fn beyond_far_end(choice: &mut Choice) -> Option<Figure> {
-    let tangent = choice.half_angle();
-    let tool = choice.length() * choice.part();
-    let cotangent = tangent.clone().recip();
-    let past_one = Rational::from(&cotangent - 1);
-    if past_one <= 0 {
+    let tool = choice.length();
+    let far = Rational::from(&tool * 2) + choice.length();
+    // Between r and q, so that it is the nearer one.
+    let near = Rational::from(&far - &tool) * choice.part() + &tool;
+    let foot: Rational = Rational::from(&near - &far) / 2;
+    let twice: Rational = Rational::from(&near * &far) / &tool;
+    let half = Rational::from(&twice / 2);
+    let height: Rational = (Rational::from(half.square_ref()) - Rational::from(foot.square_ref())) / twice;
+    let centre = Point::new(foot, height);
+    let ray = centre.opposite();
+    let sweep = choice.sweep();
+    let contact = Point::new(-far.clone(), tool.clone());
+    if !covers(&ray, &sweep, Counterclockwise, &contact.minus(&centre)) {
         return None;
     }
-    // The start's shift changes the length, and the angle too.
-    let steep: Rational = (cotangent.square() + 1) / (past_one.clone() * 2);
-    let length = past_one * &tool;
-    let onward = unit(&tangent).mirrored();
-    let figure = Figure::new("over the far end of a line", Point::new(-length, 0)).tool(tool).line(Point::origin());
-    let figure = figure.on(Some(Side::Right)).line(onward.times(&choice.length()));
-    let mut figure = figure.nudge(What::Vertex(0), Point::new(-1, -steep));
-    figure.reversible = false;
-    Some(figure)
+    let end = centre.plus(&swept(&ray, &sweep, Counterclockwise));
+    let start = Point::new(tool.clone() - far, 0);
+    let figure = Figure::new("over the far end of a line", start).tool(tool).line(Point::origin());
+    let figure = figure.on(Some(Side::Right)).arc(end, centre, Counterclockwise);
+    Some(figure.nudge(What::Vertex(0), Point::new(-1, 0)))
 }
 
 /// The line y = r meets the arc's offset circle in (r, r) when r = 2·(c_a + c_b ± R).

@@ -115,7 +115,7 @@ pub(super) fn whole_turn(choice: &mut Choice) -> Option<Figure> {
 /// tangent to the element before it, or its reversal; or half as far around the corner as the dummy block said.
 pub(super) fn line_in(choice: &mut Choice, reach: Reach) -> Option<Figure> {
     if reach.dummies() && (!can_lose_look_ahead(reach) || choice.coin()) {
-        return Some(half_of_dummy(choice));
+        return half_of_dummy(choice);
     }
     let onward = Point::new(if choice.coin() { -1 } else { 1 }, 0);
     let corner = Corner::new(Arm::any(choice), Arm::arc(choice), onward);
@@ -127,14 +127,18 @@ pub(super) fn line_in(choice: &mut Choice, reach: Reach) -> Option<Figure> {
 
 /// The vector is `r·n(u1) - r·tan(φ/2)·u1` with φ the turn to the dummy; it is at right angles to u2 when that turns
 /// by φ/2.
-fn half_of_dummy(choice: &mut Choice) -> Figure {
+fn half_of_dummy(choice: &mut Choice) -> Option<Figure> {
     let onward = choice.slant();
     let dummy = onward.turned(&onward);
     let corner = Corner::new(Arm::line(choice), Arm::arc(choice), onward.clone());
     let figure = corner.figure("arc half as far around as its dummy", [Side::Left, Side::Left], choice);
     // The tangent of φ/2 is the slope of u2; the margin is -V·u2.
-    let away = Point::new(Rational::from(&onward.b / &onward.a), -1);
-    let (what, toward) = corner.after.turning(1, &away);
+    let slope = Rational::from(&onward.b / &onward.a);
+    // On a line that is shorter than the vector the tool would run backwards.
+    if Rational::from(&slope * &figure.tool) >= *corner.before.size() {
+        return None;
+    }
+    let (what, toward) = corner.after.turning(1, &Point::new(slope, -1));
     let length = choice.length();
-    figure.after(Pause::Dummy(dummy.times(&length))).nudge(what, toward)
+    Some(figure.after(Pause::Dummy(dummy.times(&length))).nudge(what, toward))
 }

@@ -3,7 +3,9 @@
 use radcomp_spec::{Direction, Side};
 use rug::Rational;
 
-use super::point::Point;
+use super::arm::sign;
+use super::choice::Choice;
+use super::point::{Point, root};
 
 /// A contour at whose tool radius one decision has margin zero, and which of its numbers moves it off.
 #[derive(Clone, Debug)]
@@ -21,6 +23,8 @@ pub(super) struct Figure {
     pub(super) odd: [bool; 2],
     /// Lengths are thousandths of a millimetre already: the decision compares with a length of the profile.
     pub(super) to_scale: bool,
+    /// What its neighbours' number differs by, in thousandths of a millimetre.
+    pub(super) increment: Rational,
     /// The path may be run from its end to its start.
     pub(super) reversible: bool,
     /// Where the tool stands before the first vertex, and where it goes after the last, when that matters.
@@ -92,6 +96,7 @@ impl Figure {
             two_sided: true,
             odd: [false; 2],
             to_scale: false,
+            increment: Rational::from(1),
             reversible: true,
             approach: None,
             away: None,
@@ -171,6 +176,37 @@ impl Figure {
         }
         std::mem::swap(&mut self.approach, &mut self.away);
         self
+    }
+
+    /// Writes some of its arcs with R, where the nudge does not move them: those of a rational radius, but for half turns and
+    /// whole ones.
+    pub(super) fn give_radii(&mut self, choice: &mut Choice) {
+        let nudged = |index| match self.nudge.what {
+            What::Vertex(vertex) => vertex == index || vertex == index + 1,
+            What::Centre(centre) => centre == index,
+            What::Word(_) | What::Tool => false,
+        };
+        for (index, (each, ends)) in self.moves.iter_mut().zip(self.vertices.windows(2)).enumerate() {
+            let Shape::Arc { centre, sense } = &each.shape else { continue };
+            let (from, to) = (ends[0].minus(centre), ends[1].minus(centre));
+            let turn = from.cross(&to) * sign(*sense);
+            let Some(radius) = root(&from.length_squared()) else { continue };
+            if turn.is_zero() || nudged(index) || choice.coin() {
+                continue;
+            }
+            let radius = if turn > 0 { radius } else { -radius };
+            each.shape = Shape::Radius { radius, sense: *sense };
+        }
+    }
+
+    /// Whether the nudge moves a point of an arc or its radius.
+    pub(super) fn nudges_arc(&self) -> bool {
+        let is_arc = |index: usize| self.moves.get(index).is_some_and(|each| !matches!(each.shape, Shape::Line));
+        match self.nudge.what {
+            What::Vertex(index) => is_arc(index) || index > 0 && is_arc(index - 1),
+            What::Centre(_) | What::Word(_) => true,
+            What::Tool => false,
+        }
     }
 
     /// Every point and length of the contour changed alike: `point` for points, `vector` for directions.

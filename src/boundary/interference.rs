@@ -119,7 +119,8 @@ pub(super) fn meets(choice: &mut Choice) -> Option<Figure> {
     let centre = step.corner.plus(&along.perp().times(&radius));
     // R' - |y - r| = R - y of the centre.
     let grow = along.perp().minus(&Point::new(0, 1));
-    let figure = step.with_arc(&along, centre, Counterclockwise, choice)?;
+    let mut figure = step.with_arc(&along, centre, Counterclockwise, choice)?;
+    figure.reversible = true;
     Some(figure.nudge(What::Centre(2), grow))
 }
 

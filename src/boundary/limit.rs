@@ -9,7 +9,7 @@ use super::asked::{angle, thousandths};
 use super::choice::{Choice, unit};
 use super::corner::Corner;
 use super::figure::{Figure, What};
-use super::point::Point;
+use super::point::{Point, ratio};
 use crate::generate::Reach;
 
 /// [TRC-CORNER-13] an outer corner of exactly the limit angle, at which it is formed by intersection.
@@ -54,6 +54,9 @@ pub(super) fn smallest_corner(choice: &mut Choice, reach: Reach) -> Option<Figur
     Some(figure)
 }
 
+/// The longest line behind a corner, in thousandths of a millimetre.
+const MOST: i64 = 800_000_000;
+
 /// [TRC-CORNER-18] two vectors of a corner that differ by exactly the limit in one coordinate, and by no more in the
 /// other. The corner stands along the axes, whose coordinates count.
 pub(super) fn small_vector(choice: &mut Choice, reach: Reach) -> Option<Figure> {
@@ -61,8 +64,10 @@ pub(super) fn small_vector(choice: &mut Choice, reach: Reach) -> Option<Figure> 
     let one = Rational::from(1);
     let arc_first = choice.coin();
     let (onward, most) = if arc_first {
-        // Its normal, and the corner r·tan(φ/2) farther.
-        let tangent = choice.half_angle();
+        // Its normal, and the corner r·tan(φ/2) farther: at times of a tool so large that it is the limit by so small an
+        // angle.
+        let slight = ratio(1, choice.pick(&[1000, 10_000]));
+        let tangent = if choice.below(3) == 0 { slight } else { choice.half_angle() };
         (unit(&tangent).mirrored(), tangent)
     } else {
         // The two points of a corner that is squared off.
@@ -72,8 +77,10 @@ pub(super) fn small_vector(choice: &mut Choice, reach: Reach) -> Option<Figure> 
         (slant.opposite(), first.max(second))
     };
     let tool = limit / most;
-    let whole = |point: &Point| Rational::from(point.a.denom().clone().lcm(point.b.denom()));
-    let second = whole(&onward) * choice.between(1, 2000);
+    let whole = Rational::from(onward.a.denom().clone().lcm(onward.b.denom()));
+    // Neither of no length beside the vectors nor a kilometre long.
+    let most = (Rational::from(MOST) / &whole).floor().numer().to_i64().unwrap_or(1).clamp(1, 2000);
+    let second = whole * choice.between(1, most);
     let first = Rational::from(choice.between(20, 4000));
     let before = match arc_first {
         true => Arm::Arc { radius: Rational::from(&first + &tool), sense: choice.sense(), sweep: Point::new(0, 1) },

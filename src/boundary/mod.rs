@@ -1,12 +1,15 @@
 //! Boundary synthesis: for every decision, programs that lie exactly on it.
 //!
 //! The coordinates are plain decimals: directions are Pythagorean, half-angle tangents rational, arcs tangent or
-//! concentric, tools fit exactly. A contour is made in rational numbers of any unit, turned, mirrored, run backwards,
-//! and scaled until every number is a whole number of thousandths of a millimetre. Its neighbours have one point or one
-//! radius of the contour moved by one least increment, 0.001 mm, to either side.
+//! concentric, tools fit exactly. A contour is made in rational numbers of any unit, turned, mirrored, run backwards, its
+//! arcs written with R now and then, and scaled until every number is a whole number of thousandths of a millimetre. Its
+//! neighbours have one point or one radius of the contour moved by one least increment, 0.001 mm, to either side.
 //!
-//! Two more neighbours have it moved by the least power of ten that is 64 bands of `binary64`. A device that compares
-//! with a tolerance of its own takes their decisions as it takes the one on the boundary, which is wrong on one side.
+//! Two more neighbours have it moved by the least power of ten that is 64 bands of `binary64` and moves the margin out of
+//! the band (`beside.rs`). A device that compares
+//! with a tolerance of its own takes their decisions as it takes the one on the boundary, which is wrong on one side. Some
+//! of the contours that have them are a thousand times as large or as small, in whole millimetres or millionths: a tolerance
+//! that is made of a product of two lengths instead of their sum is the right one at no size but one.
 //!
 //! One seed gives the same programs on every machine, each triple independent of the others.
 //!
@@ -36,6 +39,7 @@
 
 mod arm;
 mod asked;
+mod beside;
 mod choice;
 mod contact;
 mod corner;
@@ -50,16 +54,14 @@ mod program;
 mod wedge;
 mod words;
 
-use radcomp_model::number::Real;
-use radcomp_model::run;
-use radcomp_spec::{Block, DecisionKind, Segment};
+use radcomp_spec::{Block, DecisionKind};
 use rug::Rational;
 
 use crate::generate::Reach;
-use crate::judge::{Budget, Grade};
 pub use asked::is_asked;
 use choice::Choice;
 use figure::Figure;
+use place::Size;
 use program::Ends;
 
 /// A program exactly on a decision, between its two neighbours.
@@ -74,8 +76,8 @@ pub struct Triple {
     /// One least increment toward a smaller margin, on the decision, and one toward a greater margin.
     pub programs: [Vec<Block<Rational>>; 3],
     /// As near to the decision as the band of `binary64` allows, toward a smaller and a greater margin: with more decimals
-    /// than a control's increment has. None unless asked for, and where the path leads more than a kilometre off, as beside a
-    /// reversal or an entry arc of no curvature: there f64 has hardly a digit left for δ.
+    /// than a control's increment has. None unless asked for, and where f64 has hardly a digit left for δ, as where the path
+    /// leads kilometres off beside a reversal or an entry arc of no curvature.
     pub beside: Option<[Vec<Block<Rational>>; 2]>,
 }
 
@@ -106,52 +108,31 @@ fn drawn(kind: DecisionKind, seed: u64, number: u64, reach: Reach, with_beside: 
         return None;
     }
     let mut choice = Choice::new(seed, kind as u64, number);
+    let sizes = sizes(with_beside, reach);
     let figure = (0..MOST_DRAWS).find_map(|_| {
         let figure = figure(kind, &mut choice, reach)?;
         // A corner that counts as straight is not formed, whatever it was to decide ([TRC-CORNER-16]).
         let formed = kind == DecisionKind::StraightBand || !program::has_straight_corner(&figure, reach);
-        formed.then(|| place::place(figure, &mut choice)).flatten()
+        formed.then(|| place::place(figure, sizes, &mut choice)).flatten()
     })?;
     let mut off = || [choice.between(-8, 8) * 1000 + 500, choice.between(-8, 8) * 1000 + 500];
     let ends = Ends { approach: off(), away: off(), code_apart: choice.below(3) == 0 };
     let at = |steps: Rational| program::program(&place::neighbour(&figure, &steps), &ends, reach);
-    let programs = [-1, 0, 1].map(|steps| at(Rational::from(steps)));
-    let beside = with_beside.then(|| {
-        let near = outside_the_band(&programs[1]);
-        [at(Rational::from(-&near)), at(near)]
-    });
-    let beside = beside.filter(|beside| !beside.iter().any(|blocks| leads_far(blocks, reach)));
+    let programs = [-1, 0, 1].map(|steps| at(Rational::from(steps) * &figure.increment));
+    let beside = with_beside.then(|| beside::beside(kind, &programs[1], at, &figure.increment, reach)).flatten();
     Some(Triple { kind, family: figure.family, two_sided: figure.two_sided, programs, beside })
 }
 
-/// How many times the band a number is moved: the margin moves less than the number does.
-const TIMES_THE_BAND: f64 = 64.0;
-
-/// A lower bound on how far, in thousandths of a millimetre: for a contour of no size.
-const LEAST: f64 = 1e-12;
-
-/// The least power of ten that is as many times the band of a program, in thousandths of a millimetre.
-fn outside_the_band(blocks: &[Block<Rational>]) -> Rational {
-    let budget = Budget { grade: Grade::Binary64, least_increment: 0.001, delta: 1e-6 };
-    let least = TIMES_THE_BAND * budget.beta(blocks) * 1000.0;
-    let mut near = Rational::from(1);
-    while near > least && near > LEAST {
-        near /= 10;
+/// The sizes of contours: without the programs beside them, those that machines reach; and where the profile's own lengths
+/// leave a contour as it is, fine ones.
+fn sizes(with_beside: bool, reach: Reach) -> &'static [Size] {
+    let parameters = reach.parameters();
+    let lengths = parameters.centre_tolerance.numerator > 0 || parameters.small_vector_limit.numerator > 0;
+    match (with_beside, lengths) {
+        (false, _) => &[Size::Common],
+        (true, true) => &[Size::Common, Size::Common, Size::Common, Size::Vast],
+        (true, false) => &[Size::Common, Size::Common, Size::Common, Size::Vast, Size::Fine],
     }
-    near * 10
-}
-
-/// How far off a path leads at most, in millimetres.
-const FAR: f64 = 1e6;
-
-/// Whether a program's path has an end or a centre farther off than that.
-fn leads_far(blocks: &[Block<Rational>], reach: Reach) -> bool {
-    let is_far = |point: &[Real; 2]| point.iter().any(|coordinate| coordinate.to_f64().abs() > FAR);
-    run(reach.parameters(), blocks).steps.iter().any(|step| match &step.segment {
-        Segment::Hold => false,
-        Segment::Line { end } => is_far(end),
-        Segment::Arc { end, centre, .. } => is_far(end) || is_far(centre),
-    })
 }
 
 /// The first `count_per_kind` triples of every decision, with the programs beside them.

@@ -14,6 +14,12 @@ pub(super) fn ratio(over: i64, under: i64) -> Rational {
     Rational::from((over, under))
 }
 
+/// The square root, if it is rational.
+pub(super) fn root(square: &Rational) -> Option<Rational> {
+    let roots = square.is_positive() && square.numer().is_perfect_square() && square.denom().is_perfect_square();
+    roots.then(|| Rational::from((square.numer().clone().sqrt(), square.denom().clone().sqrt())))
+}
+
 impl Point {
     pub(super) fn new(a: impl Into<Rational>, b: impl Into<Rational>) -> Self {
         Point { a: a.into(), b: b.into() }

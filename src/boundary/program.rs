@@ -6,7 +6,7 @@ use rug::Rational;
 
 use super::arm::sign;
 use super::figure::{Figure, Pause, Shape};
-use super::point::Point;
+use super::point::{Point, root};
 use crate::generate::Reach;
 
 /// Where the tool comes from and goes to, from the contour's ends, in thousandths of a millimetre.
@@ -23,13 +23,18 @@ pub(super) fn program(figure: &Figure, ends: &Ends, reach: Reach) -> Vec<Block<R
     let mut blocks = Vec::with_capacity(figure.moves.len() + 5);
     let (Some(first), Some(last)) = (figure.vertices.first(), figure.vertices.last()) else { return blocks };
     let from = |point: &Point, [a, b]: [i64; 2]| point.plus(&Point::new(a, b));
+    // [TRC-START-07] longer than the tool radius, where that is asked.
+    let long = |[a, b]: [i64; 2]| lengthened(Point::new(a, b), &figure.tool);
     // Where a start-up or cancel block makes a corner, it goes straight on, so that the corner asks nothing.
     let parameters = reach.parameters();
     let straight_in = parameters.start_up != StartUp::TypeA;
     let straight_out = parameters.cancel != Cancel::TypeA;
     let before = || straight_in.then(|| before(figure)).flatten();
     let after = || straight_out.then(|| after(figure)).flatten();
-    let approach = figure.approach.clone().or_else(before).unwrap_or_else(|| from(first, ends.approach));
+    let approach = figure.approach.clone().or_else(before).unwrap_or_else(|| match straight_in {
+        true => first.plus(&long(ends.approach)),
+        false => from(first, ends.approach),
+    });
     let away = figure.away.clone().or_else(after).unwrap_or_else(|| from(last, ends.away));
     let mut side = figure.moves.first().and_then(|each| each.side);
     blocks.push(Block { rapid: true, ..line(&approach) });
@@ -103,8 +108,15 @@ fn heading(shape: &Shape, at: &Point, start: &Point, end: &Point) -> Option<Poin
     let along = match shape {
         Shape::Line => end.minus(start),
         Shape::Arc { centre, sense } => at.minus(centre).perp().times(&sign(*sense)),
-        // Exactly along a half turn, and along any other arc nearly enough to lead into it.
-        Shape::Radius { sense, .. } => at.plus(at).minus(start).minus(end).perp().times(&sign(*sense)),
+        Shape::Radius { radius, sense } => {
+            // Twice the ray, exactly where the centre is rational, and else nearly enough to lead into it.
+            let chord = end.minus(start);
+            let least = if chord == Point::origin() { Rational::from(1) } else { chord.length_squared() };
+            let height = Rational::from(radius.square_ref()) * 4 / least - 1;
+            let left = if radius.is_positive() { sign(*sense) } else { -sign(*sense) };
+            let across = chord.perp().times(&(root(&height).unwrap_or_default() * left));
+            at.plus(at).minus(start).minus(end).minus(&across).perp().times(&sign(*sense))
+        }
     };
     (along != Point::origin()).then_some(along)
 }

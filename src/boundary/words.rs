@@ -52,7 +52,8 @@ pub(super) fn centre_distance(choice: &mut Choice, reach: Reach) -> Option<Figur
     let sense = choice.sense();
     let small = Point::new(choice.between(2, 8), 0);
     let far = choice.of_fives().times(&Rational::from(choice.between(1, 3000) * 25));
-    let tool = Rational::from(choice.between(1, 4000));
+    // Beside the decision hardly a digit is left of the direction to the centre: a normal's end is no further off than that.
+    let tool = Rational::from(choice.between(1, 400));
     let figure =
         |family| Figure::new(family, start.clone()).on(side).tool(tool.clone()).one_sided().line(Point::origin());
     let mut figure = match choice.below(4) {

@@ -151,7 +151,7 @@ fn tame(vector: Whole, scale: i64) -> Whole {
     if whole_length(vector) > 100 * scale || whole_length(vector) < 2 { tamed } else { vector }
 }
 
-fn whole_length(vector: Whole) -> i64 {
+pub(super) fn whole_length(vector: Whole) -> i64 {
     let squared = vector[0].unsigned_abs().pow(2) + vector[1].unsigned_abs().pow(2);
     squared.isqrt() as i64
 }

@@ -18,6 +18,7 @@ pub(super) fn program(shape: Shape, dice: &mut Dice, reach: Reach) -> Vec<Block<
     let contour = match shape {
         Shape::CornerChain => chain(start, dice.between(3, 5), |at, heading| contour::line(at, heading, scale, dice)),
         Shape::ArcChain => chain(start, dice.between(2, 4), |at, heading| contour::arc(at, heading, scale, dice)),
+        Shape::Slot if steps && dice.once_in(6) => step::notched_round(start, scale, dice),
         Shape::Slot if steps => step::step(start, scale, dice),
         Shape::Slot => slot(start, scale, dice),
         Shape::Lathe => turned(start, scale, dice),

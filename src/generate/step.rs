@@ -1,8 +1,9 @@
-//! Steps and notches narrower than the tool: a long move, one to three short ones, and a long one that leads on.
+//! Steps and notches narrower than the tool: a long move, one to three short ones, and a long one that leads on; the long
+//! ones may be one circle.
 
 use radcomp_spec::Direction;
 
-use super::contour::{Contour, DIRECTIONS, Move, MoveShape, Whole, symmetric};
+use super::contour::{Contour, DIRECTIONS, Move, MoveShape, Whole, symmetric, whole_length};
 use super::dice::Dice;
 
 /// A direction with a whole length.
@@ -28,6 +29,39 @@ pub(super) fn step(start: Whole, scale: i64, dice: &mut Dice) -> Contour {
     if dice.once_in(2) {
         add(&mut contour, turned(behind, dice), 4 * scale, dice);
     }
+    contour
+}
+
+/// A notch in a round: an arc, two lines inward and out again, and the same circle on from there.
+pub(super) fn notched_round(start: Whole, scale: i64, dice: &mut Dice) -> Contour {
+    // Not along an axis: its coordinates changed over are the same.
+    let (vector, length) = dice.pick(&DIRECTIONS[2..]);
+    let times = (20 * scale / length).max(40);
+    let circle = |[a, b]: Whole, about: Whole| [about[0] + a * times, about[1] + b * times];
+    // Places on the circle: where it starts, the two edges of the notch, and where it ends.
+    let [a, b] = symmetric(vector, dice);
+    let edges = if dice.once_in(2) { [[a, b], [b, a]] } else { [[a, b], [-a, b]] };
+    // Neither arc is a full circle.
+    let [from, to] = edges.map(|edge| match symmetric(vector, dice) {
+        place if place == edge => edge.map(|value| -value),
+        place => place,
+    });
+    let direction = if dice.once_in(2) { Direction::Counterclockwise } else { Direction::Clockwise };
+    let centre = [start[0] - from[0] * times, start[1] - from[1] * times];
+    let part = dice.between(1, 8);
+    let ground = [0, 1].map(|axis| centre[axis] + (edges[0][axis] + edges[1][axis]) * times * part / 16);
+    let mut contour = Contour { start, moves: Vec::new(), entry: None };
+    let line = |end: Whole, size: i64| Move { end, shape: MoveShape::Line, size: size.max(1), rapid: false };
+    let arc = |end: Whole, at: Whole| {
+        let shape = MoveShape::Centre { from_start: [centre[0] - at[0], centre[1] - at[1]], direction };
+        Move { end, shape, size: length * times, rapid: false }
+    };
+    let ends = edges.map(|edge| circle(edge, centre));
+    let wide = whole_length([ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]]);
+    contour.moves.push(arc(ends[0], start));
+    contour.moves.push(line(ground, wide / 2));
+    contour.moves.push(line(ends[1], wide / 2));
+    contour.moves.push(arc(circle(to, centre), ends[1]));
     contour
 }
 

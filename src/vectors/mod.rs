@@ -76,6 +76,7 @@ const FILES: &[(&str, &str)] = &[
     ("tv-10", include_str!("../../tests/vectors/tv-10.toml")),
     ("edges", include_str!("../../tests/vectors/edges.toml")),
     ("interference", include_str!("../../tests/vectors/interference.toml")),
+    ("magnitudes", include_str!("../../tests/vectors/magnitudes.toml")),
 ];
 
 /// The vectors of `tests/vectors`, and the worked examples of every clause, each with the clause's id as its name.
