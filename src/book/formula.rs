@@ -30,12 +30,20 @@ pub(super) fn is_formula(text: &str) -> bool {
     symbol || text.contains(operators)
 }
 
+/// From how many characters on a formula may be wider than a cell on a telephone.
+const LONG: usize = 20;
+
 /// The formula as a `math` element; characters that it does not know are set as operators.
 pub(super) fn math(text: &str) -> String {
     let characters: Vec<char> = text.split_whitespace().collect::<Vec<_>>().join(" ").chars().collect();
     let mut place = 0;
     let row = row(&characters, &mut place, None);
-    format!("<math>{row}</math>")
+    // No browser breaks a formula: what is longer than a telephone is wide scrolls on a line of its own there.
+    if characters.len() >= LONG {
+        format!("<span class=\"formula\"><math>{row}</math></span>")
+    } else {
+        format!("<math>{row}</math>")
+    }
 }
 
 /// Sets what stands up to `end`, which is passed over.
@@ -191,6 +199,7 @@ mod tests {
         );
         assert!(math("|φ|/2").contains("<mo>/</mo><mn>2</mn>"));
         assert!(math("d < 0").contains("<mo>&lt;</mo>"));
+        assert!(math("R1'² - a² + R2'² - b²").starts_with("<span class=\"formula\"><math>"));
         let scaled = math("k = dot(S, V) / (2)");
         assert!(scaled.contains("<mo>=</mo><mfrac><mrow><mi>dot</mi><mrow>"), "{scaled}");
     }

@@ -39,8 +39,7 @@ pub(super) fn beside(
     let number = look(on).margins.iter().position(|margin| *margin == 0.0);
     let band = band(on);
     let is_outside = |look: &Look| {
-        let margin = number.and_then(|number| look.margins.get(number));
-        margin.is_none_or(|margin| margin.abs() >= MARGIN * band)
+        number.is_none_or(|number| look.margins.get(number).is_some_and(|margin| margin.abs() >= MARGIN * band))
     };
     // In thousandths: a unit in the last place of the largest number.
     let unit = Rational::from_f64(band * 1000.0 / 4096.0)?;

@@ -18,7 +18,7 @@ for (const kind of ["error", "warn"]) console[kind] = (...words) => failures.pus
 addEventListener("load", async () => {
   const width = document.documentElement.clientWidth;
   expect(document.documentElement.scrollWidth <= width, "wider than its window: " + document.documentElement.scrollWidth + " in " + width);
-  const scrolls = (e) => e.closest(".wide, pre, svg, .skip");
+  const scrolls = (e) => e.closest(".wide, .formula, pre, svg, .skip");
   const wide = [...document.querySelectorAll("body *")].filter((e) => e.getBoundingClientRect().right > width + 0.5 && !scrolls(e));
   expect(wide.length === 0, "beyond the window: " + wide.slice(0, 3).map((e) => e.outerHTML.slice(0, 80)).join(" "));
   for (const figure of document.querySelectorAll("svg.figure")) {
