@@ -42,8 +42,10 @@ fuzz-smoke: ## Each fuzz target on its seeds and corpus, and 30 s more; a plante
 	@scripts/setup --test
 	scripts/fuzz smoke
 
-nightly: setup ## What takes hours: every fuzz target for half an hour, with the address sanitizer; findings are promoted
-	scripts/fuzz long
+nightly: setup ## What takes hours: new cases for every property; every fuzz target for half an hour, findings promoted
+	@scripts/setup --test
+	@status=0; export PROPTEST_RNG_SEED=$$(date +%s); echo "PROPTEST_RNG_SEED=$$PROPTEST_RNG_SEED scripts/test"; \
+		scripts/test || status=1; scripts/fuzz long || status=1; exit $$status
 
 mutants: setup ## Count which small changes of the code the suite catches (PART=implementation|reader, SHARD=0/8); hours
 	scripts/mutants $(or $(PART),implementation) $(if $(SHARD),--shard $(SHARD))

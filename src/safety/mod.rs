@@ -53,9 +53,10 @@
 //! [`Finding::Safe`] and the two bounds of [`Gouge::depth`] are therefore proved (given IEEE arithmetic, and an index that
 //! finds what overlaps), and where rounding or the number of cuts does not let them be, the answer is
 //! [`Finding::Undecided`] with the bounds that are. An arc whose two radii differ is any curve between them, so the
-//! difference is added to the bounds. An arc is the one that its doubles name: an end that lies a rounding behind its
-//! start makes a whole turn. Lead-offs are cut at points found in f64, to 16 units in the last place, and proofs are
-//! about the contour so cut.
+//! difference is added to the bounds, and where the part is thinner than it, either side of the part may be the nearer
+//! one: the upper bound is then that of a tool in the material. An arc is the one that its doubles name: an end that lies
+//! a rounding behind its start makes a whole turn. Lead-offs are cut at points found in f64, to 16 units in the last
+//! place, and proofs are about the contour so cut.
 //!
 //! Ends of [`Uncut`] are roots in f64, good to about the square root of the precision where curves touch; that no longer
 //! interval exists is exact reasoning, but not proved against rounding. That the tool *fits* at a point does not say that

@@ -27,9 +27,8 @@ fn small_radius(shape: &Shape) -> u32 {
     (room * 1e3 / 12.0) as u32
 }
 
-/// A step moved toward the part by a distance, and the end of the step before with it.
+/// A step moved toward the part by a distance, with lines to it and back: the arcs beside it keep their radii.
 fn moved(path: &[Step<f64>], which: usize, by: f64, left: bool) -> Vec<Step<f64>> {
-    let mut path = path.to_vec();
     let end_of = |step: &Step<f64>| match step.segment {
         Segment::Line { end } | Segment::Arc { end, .. } => end,
         Segment::Hold => unreachable!("programs without dwells"),
@@ -49,17 +48,16 @@ fn moved(path: &[Step<f64>], which: usize, by: f64, left: bool) -> Vec<Step<f64>
         }
     };
     let shift = toward_right.map(|part| if left { by * part } else { -by * part });
-    let push = |p: &mut [f64; 2]| *p = [p[0] + shift[0], p[1] + shift[1]];
-    for step in &mut path[which - 1..=which] {
-        match &mut step.segment {
-            Segment::Line { end } | Segment::Arc { end, .. } => push(end),
-            Segment::Hold => {}
+    let shifted = |p: [f64; 2]| [p[0] + shift[0], p[1] + shift[1]];
+    let line = |end| Step { segment: Segment::Line { end }, ..path[which].clone() };
+    let beside = match path[which].segment {
+        Segment::Arc { centre, direction, full, .. } => {
+            let segment = Segment::Arc { end: shifted(end), centre: shifted(centre), direction, full };
+            Step { segment, ..path[which].clone() }
         }
-    }
-    if let Segment::Arc { centre, .. } = &mut path[which].segment {
-        push(centre);
-    }
-    path
+        _ => line(shifted(end)),
+    };
+    [&path[..which], &[line(shifted(from)), beside, line(end)], &path[which + 1..]].concat()
 }
 
 proptest! {
