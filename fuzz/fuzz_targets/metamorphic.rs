@@ -2,4 +2,4 @@
 
 #![cfg_attr(fuzzing, no_main)]
 
-radcomp_fuzz::target!(radcomp_fuzz::programs::metamorphic);
+radcomp_fuzz::target!(radcomp_fuzz::programs::metamorphic, heap: own);

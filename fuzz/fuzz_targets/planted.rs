@@ -2,4 +2,4 @@
 
 #![cfg_attr(fuzzing, no_main)]
 
-radcomp_fuzz::target!(radcomp_fuzz::programs::planted);
+radcomp_fuzz::target!(radcomp_fuzz::programs::planted, heap: own);

@@ -2,4 +2,4 @@
 
 #![cfg_attr(fuzzing, no_main)]
 
-radcomp_fuzz::target!(radcomp_fuzz::programs::safety);
+radcomp_fuzz::target!(radcomp_fuzz::programs::safety, heap: own);
