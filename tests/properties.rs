@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 use proptest::prelude::*;
 use radcomp::generate::{self, Reach};
 use radcomp::metamorphic::Motion;
-use radcomp_model::number::Real;
+use radcomp_model::number::{Real, within_bits};
 use radcomp_model::{Decision, Run, run};
 use radcomp_spec::parameters::{Cancel, Parameters, SameCode, SideChange, StartUp};
 use radcomp_spec::profile::{BUILTIN, Profile};
@@ -52,24 +52,28 @@ fn commutes(parameters: &Parameters, blocks: &[Block<Rational>], motion: &Motion
     prop_assert_eq!(before.alarm, after.alarm);
     let plain: Vec<_> = after.steps.iter().map(|step| (step.block, step.clause.id(), step.segment.clone())).collect();
     prop_assert_eq!(moved(motion, &before), plain);
-    // The first block's length depends on where the tool stands at the start, and of two contact points either may be
-    // looked at first.
+    // The first block's length depends on where the tool stands at the start, and of two contact points, or points that
+    // avoid interference, either may be looked at first.
     let comparable = |(decision, _): &&(Decision, Ordering)| {
-        let either_first = matches!(decision.kind, DecisionKind::ContactWithin | DecisionKind::NearerContact);
+        use DecisionKind::{ContactWithin, NearerAvoidance, NearerContact};
+        let either_first = matches!(decision.kind, ContactWithin | NearerContact | NearerAvoidance);
         decision.block > 0 && !either_first
     };
     let count = |run: &Run| run.decisions.iter().filter(comparable).count();
     prop_assert_eq!(count(&before), count(&after));
     let pairs = before.decisions.iter().filter(comparable).zip(after.decisions.iter().filter(comparable));
     for ((one, _), (other, _)) in pairs {
-        prop_assert_eq!(one.exact, other.exact);
-        prop_assert_eq!(&one.margin * &Real::integer(motion.scale.into()), other.margin.clone());
+        prop_assert_eq!(one.exact, other.exact, "{:?}", one.kind);
+        // That two margins of arcs are one takes exact numbers minutes: those that agree to so many bits pass.
+        let margin = &one.margin * &Real::integer(motion.scale.into());
+        let order = within_bits(4096, || margin.cmp(&other.margin));
+        prop_assert!(matches!(order, None | Some(Ordering::Equal)), "{:?}: {:?}", one.kind, order);
     }
     Ok(())
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
     fn translation_commutes(profile in 0..BUILTIN.len(), seed: u64, a in -100_000_i64..100_000, b in -100_000_i64..100_000) {
